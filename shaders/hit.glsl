@@ -1,0 +1,22 @@
+// The answer of a ray with one object.
+
+struct ObjectHit {
+    bool hit, inside, exhausted;
+    int steps;
+    vec3 p, n;     // object space, units of R; n unit, outward (disk: towards the ray's origin)
+    real stored;   // the map's value
+    real residual; // f(p)
+};
+
+ObjectHit noHit() {
+    ObjectHit hit;
+    hit.hit = false;
+    hit.inside = false;
+    hit.exhausted = false;
+    hit.steps = 0;
+    hit.p = vec3(real(0));
+    hit.n = vec3(real(0));
+    hit.stored = real(0);
+    hit.residual = real(0);
+    return hit;
+}

@@ -1,0 +1,154 @@
+// What the host writes and the shaders read, once for both: structs, bindings, group size, film planes.
+// Structs hold only 4-byte scalars and 16-byte aligned vec4s and are multiples of 16 bytes long, so that std140, std430
+// and C++ agree; the host asserts it.
+// Object space is scaled so that the surface's greatest radius is 1 ("units of R").
+#ifndef DSPHERE_LAYOUT_H
+#define DSPHERE_LAYOUT_H
+
+#ifdef __cplusplus
+#include <cstdint>
+#include <glm/vec4.hpp>
+namespace dsphere::layout {
+using vec4 = glm::vec4;
+using uint = std::uint32_t;
+#endif
+
+#define GROUP_SIZE_X 8  // the SIMD axis of lavapipe: a multiple of 8
+#define GROUP_SIZE_Y 8
+#define PROBE_GROUP_SIZE 64
+
+#define BINDING_OBJECTS 0  // uniform buffers: lavapipe reads storage buffers lane by lane
+#define BINDING_MAPS 1     // one an object, in the same order: a looked-up index would not count as uniform
+#define BINDING_LIGHTS 2
+#define BINDING_RAMPS 3
+#define BINDING_HEIGHTS 4  // r32f array: stored map values, pole rows included
+#define BINDING_BOUNDS 5   // r32f array: squared radii, the cube-map pyramids
+#define BINDING_EDGES 6    // rgba32f: sine and cosine of each cell's two edges
+#define BINDING_FILM 7     // r32ui array: one layer a plane (probe.comp: the rays)
+#define BINDING_HITS 8     // probe.comp: the answers
+
+#define SPEC_MARCHER 0
+#define SPEC_OBJECT_COUNT 1
+#define SPEC_LIGHT_COUNT 2
+#define SPEC_KINDS 3   // bit per KIND_ that the scene holds
+#define SPEC_PLANES 4  // bit per PLANE_ that the film holds
+#define SPEC_COUNT 5
+
+#define MARCHER_EXACT 0
+#define MARCHER_NAIVE 1        // the seed's: from the camera
+#define MARCHER_NAIVE_SHELL 2  // the same, started at the shell
+
+#define KIND_DISPLACED 0
+#define KIND_SPHERE 1
+#define KIND_DISK 2
+
+// Film planes in the order of their layers; a film holds only those of its mask. COLOUR is accumulated over samples,
+// all others belong to the ray through the pixel's centre. OBJECT_ planes are for verify: in units of R, float as
+// computed, before any transform to world.
+#define PLANE_R 0
+#define PLANE_G 1
+#define PLANE_B 2
+#define PLANE_T 3
+#define PLANE_PX 4
+#define PLANE_PY 5
+#define PLANE_PZ 6
+#define PLANE_NX 7
+#define PLANE_NY 8
+#define PLANE_NZ 9
+#define PLANE_NSX 10
+#define PLANE_NSY 11
+#define PLANE_NSZ 12
+#define PLANE_U 13
+#define PLANE_V 14
+#define PLANE_ALBEDO_R 15
+#define PLANE_ALBEDO_G 16
+#define PLANE_ALBEDO_B 17
+#define PLANE_ID 18
+#define PLANE_LIT 19
+#define PLANE_STEPS 20
+#define PLANE_RESIDUAL 21
+#define PLANE_OBJECT_PX 22
+#define PLANE_OBJECT_PY 23
+#define PLANE_OBJECT_PZ 24
+#define PLANE_START_X 25  // P', the origin of shadow rays
+#define PLANE_START_Y 26
+#define PLANE_START_Z 27
+#define PLANE_FLAGS 28  // bit 0: inside, bit 1: the step limit ended the march (never, if all is well)
+#define PLANE_COUNT 29
+
+// Loops of one invocation share 65,535 back-edges on lavapipe, all rays of a pixel together.
+#define MAX_STEPS 24000
+
+#define MAX_OBJECTS 64
+#define MAX_LIGHTS 32
+#define RAMP_POINTS 17  // control points of a colour ramp, at equal distances
+
+struct ObjectData {
+    // Camera ray of raster position (x, y): d' = direction_0 + X direction_x + Y direction_y, X = x - anchor_x,
+    // Y = y - anchor_y; its moment m' = o x d' likewise; .w of the direction rows: o . d'. Object space, units of R.
+    vec4 direction_0, direction_x, direction_y;
+    vec4 moment_0, moment_x, moment_y;
+    vec4 to_object_x, to_object_y, to_object_z;  // rows, world -> object in units of R
+    vec4 to_world_x, to_world_y, to_world_z;     // rows, object in units of R -> world
+    vec4 from_camera;                            // world: the object's centre seen from the camera
+    vec4 albedo;                                 // rgb; of a constant texture
+    float anchor_x, anchor_y;                    // raster
+    float base, scale;                           // r = base + scale * stored value, units of R
+    float ramp_offset, ramp_scale;               // h = ramp_offset + ramp_scale * stored value
+    float shell_squared;                         // of a sphere around everything, rounded outward
+    float inner_squared;                         // disk: the squared inner radius
+    float offset;                                // e: start of secondary rays above the hit, units of R
+    float pad0;
+    int kind, ramp;                              // KIND_; index of the ramp, -1: none
+};
+
+struct LightData {
+    vec4 position;  // w = 0: unit direction towards the light; w = 1: world position
+    vec4 radiance;  // rgb: irradiance (distant) or intensity (point)
+};
+
+struct MapData {
+    int width, rows;        // cells: columns (wrapping) and rows from pole to pole
+    int heights_y, layer;   // where node row 0 lies in the heights image
+    int bounds_y, bounds_layer, bounds_side, bounds_levels;
+    int edges_y;            // row of the longitude edges; the colatitude edges lie in the next
+    int caps;               // 1: the first and last rows are half as high (texel registration)
+    float columns_per_turn, first_column;  // column of longitude phi = phi / 2pi * columns_per_turn - first_column
+    float cells_per_radian_u, cells_per_radian_v;
+    float tan_width, tan_height;  // tangents of a cell's angular size
+    float cap_shift;              // node row of colatitude theta = theta * cells_per_radian_v + cap_shift
+    float pad0, pad1, pad2;
+};
+
+struct RenderParams {
+    int tile_x, tile_y;    // of the tile's first pixel, in film pixels
+    int tile_x1, tile_y1;  // its end
+    int film_x, film_y;    // raster position of the film's first pixel
+    int sample_index;      // -1: the pixel's centre
+    uint seed;
+};
+
+// A ray in the object space of object 0, units of R: any length of direction; .w: o . d. moment.w: end of the ray as
+// its distance from the point nearest the centre. flags: 1 for a secondary ray.
+struct ProbeRay {
+    vec4 direction, moment;
+    uint flags, pad0, pad1, pad2;
+};
+
+struct ProbeHit {
+    vec4 position;  // object space; .w: its distance along the ray from the point nearest the centre
+    vec4 normal;    // unit; .w: residual
+    uint flags;     // bit 0: hit, 1: inside, 2: exhausted
+    uint steps, pad0, pad1;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(ProbeRay) == 48);
+static_assert(sizeof(ProbeHit) == 48);
+static_assert(sizeof(ObjectData) == 14 * 16 + 12 * 4);
+static_assert(sizeof(LightData) == 32);
+static_assert(sizeof(MapData) == 20 * 4);
+static_assert(sizeof(RenderParams) == 32);
+}  // namespace dsphere::layout
+#endif
+#endif

@@ -1,0 +1,43 @@
+// What the shaders read on the device, behind the names that the pure functions expect.
+#define real float
+#define INOUT(T) inout T
+
+#include "layout.h"
+
+layout(constant_id = SPEC_MARCHER) const int kMarcher = MARCHER_EXACT;
+layout(constant_id = SPEC_OBJECT_COUNT) const int kObjectCount = 1;
+layout(constant_id = SPEC_LIGHT_COUNT) const int kLightCount = 0;
+layout(constant_id = SPEC_KINDS) const int kKinds = 1;
+layout(constant_id = SPEC_PLANES) const uint kPlanes = 0u;
+
+layout(std140, binding = BINDING_OBJECTS) uniform Objects { ObjectData objects[MAX_OBJECTS]; };
+layout(std140, binding = BINDING_MAPS) uniform Maps { MapData maps[MAX_OBJECTS]; };
+layout(std140, binding = BINDING_LIGHTS) uniform Lights { LightData lights[MAX_LIGHTS]; };
+layout(std430, binding = BINDING_RAMPS) readonly buffer Ramps { vec4 ramp_points[]; };
+layout(binding = BINDING_HEIGHTS, r32f) readonly uniform image2DArray heights;
+layout(binding = BINDING_BOUNDS, r32f) readonly uniform image2DArray bounds;
+layout(binding = BINDING_EDGES, rgba32f) readonly uniform image2DArray edges;
+
+// Storage images, not textures: filtering may snap weights to 8 bits, and on lavapipe a load costs half a texelFetch.
+float heightAt(MapData map, int column, int row) {
+    return imageLoad(heights, ivec3(column, map.heights_y + row, map.layer)).x;
+}
+
+// Levels above the finest lie side by side below it, each face in 1.5 side rows.
+float boundAt(MapData map, int face, int level, int i, int j) {
+    int side = map.bounds_side;
+    int x = i + (level > 0 ? side - 2 * (side >> level) : 0);
+    int y = map.bounds_y + face * (side + (side >> 1)) + j + (level > 0 ? side : 0);
+    return imageLoad(bounds, ivec3(x, y, map.bounds_layer)).x;
+}
+
+vec4 edgesAt(int x, int y) {
+    return imageLoad(edges, ivec3(x, y, 0));
+}
+
+#include "numeric.glsl"
+#include "surface.glsl"
+#include "march.glsl"
+#include "hit.glsl"
+#include "naive.glsl"
+#include "objects.glsl"

@@ -1,0 +1,143 @@
+#include "base/error.h"
+#include "cli/commands.h"
+#include "cli/sceneoptions.h"
+#include "image/picture.h"
+#include "render/raster.h"
+#include "render/renderer.h"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <filesystem>
+
+namespace dsphere::cli {
+
+namespace {
+
+struct RenderOptions {
+    CommonOptions common;
+    SceneOptions scene;
+    std::string outfile, aov;
+    double exposure = 0.0;
+};
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// As pbrt stores them: row vectors, so the matrix is transposed against ours.
+std::array<float, 16> headerMatrix(const dmat4& m) {
+    std::array<float, 16> values;
+    for (int i = 0; i < 16; ++i) values[std::size_t(i)] = float(m[i / 4][i % 4]);
+    return values;
+}
+
+dmat4 ndcFromWorld(const Raster& raster) {
+    dvec2 size = raster.screen_max - raster.screen_min;
+    dmat4 ndc(0.0);  // x / z and y / z from the screen window to [0, 1], y upward
+    ndc[0][0] = 1.0 / size.x;
+    ndc[1][1] = 1.0 / size.y;
+    ndc[2] = dvec4(-raster.screen_min.x / size.x, -raster.screen_min.y / size.y, 1.0, 1.0);
+    return ndc * raster.camera_from_world;
+}
+
+Metadata makeMetadata(const Scene& scene, const gpu::Device& device, double seconds) {
+    return {{"software", std::string("dsphere ") + DSPHERE_VERSION},
+            {"scene", scene.name},
+            {"device", device.info().name},
+            {"samplesPerPixel", scene.sampler.pixel_samples},
+            {"renderTimeSeconds", float(seconds)},
+            {"worldToCamera", headerMatrix(scene.camera.camera_from_world)},
+            {"worldToNDC", headerMatrix(ndcFromWorld(makeRaster(scene.camera, scene.film)))}};
+}
+
+// Wrong options must not cost a render first.
+std::uint32_t checkOutput(const RenderOptions& options, const std::filesystem::path& path, int samples) {
+    std::uint32_t aovs = parseAovs(options.aov);
+    std::string extension = path.extension().string();
+    if (extension != ".png" && extension != ".exr")
+        throw Error(ExitCode::Usage, fmt::format("{}: unknown picture format '{}'; .png and .exr are supported",
+                                                 path.string(), extension));
+    if (extension == ".png" && aovs)
+        throw Error(ExitCode::Usage, fmt::format("{}: a PNG cannot hold --aov outputs; write .exr", path.string()));
+    if (samples < 0 || samples > 65536)
+        throw Error(ExitCode::Usage, fmt::format("--spp: {} is outside 0 to 65536", samples));
+    if (samples == 0 && !aovs) throw Error(ExitCode::Usage, "--spp 0 renders no colour, so it needs --aov");
+    std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    if (!std::filesystem::is_directory(folder))
+        throwFailure("{}: the folder {} does not exist", path.string(), folder.string());
+    return aovs;
+}
+
+void report(const RenderOptions& options, const std::filesystem::path& path, const gpu::Device& device,
+            const RenderStats& stats, double seconds, std::uint64_t map_bytes) {
+    double rays_per_second = stats.device_seconds > 0.0 ? double(stats.camera_rays) / stats.device_seconds : 0.0;
+    if (options.common.json) {
+        nlohmann::ordered_json json = {{"picture", path.string()},
+                                       {"device", device.info().name},
+                                       {"driver", device.info().driver},
+                                       {"seconds", seconds},
+                                       {"device_seconds", stats.device_seconds},
+                                       {"camera_rays", stats.camera_rays},
+                                       {"camera_rays_per_second", rays_per_second},
+                                       {"map_bytes", map_bytes}};
+        fmt::print("{}\n", json.dump(2));
+    }
+    if (options.common.quiet) return;
+    fmt::print(stderr, "picture  {}\ndevice   {} ({})\n", std::filesystem::absolute(path).string(), device.info().name,
+               device.info().driver);
+    fmt::print(stderr, "time     {:.2f} s in all, {:.3f} s on the device\n", seconds, stats.device_seconds);
+    fmt::print(stderr, "speed    {:.1f} million camera rays a second, with their shadow rays\n", rays_per_second * 1e-6);
+    if (options.common.verbose) fmt::print(stderr, "maps     {:.1f} MiB on the device\n", double(map_bytes) / 1048576.0);
+}
+
+int runRender(const RenderOptions& options) {
+    Clock::time_point start = Clock::now();
+    Scene scene = loadScene(options.scene);
+    std::filesystem::path path = options.outfile.empty() ? scene.film.filename : options.outfile;
+    int samples = scene.sampler.pixel_samples;
+    std::uint32_t aovs = checkOutput(options, path, samples);
+    SceneMaps maps = loadSceneMaps(scene);
+    PackedScene packed = packScene(scene, maps);
+    gpu::Device device = openDevice(options.common);
+    Renderer renderer(device, packed, scene, options.scene.marcher);
+
+    Image image;
+    {
+        ProgressLine line(options.common.progress, options.common.quiet, "render");
+        auto progress = [&](double share) { return line.update(share); };
+        if (aovs) image = renderer.renderPlanes(aovs, progress);
+        if (samples > 0) {
+            Image colour = renderer.renderColour(samples, std::uint32_t(scene.sampler.seed), progress);
+            colour.channels.insert(colour.channels.end(), std::make_move_iterator(image.channels.begin()),
+                                   std::make_move_iterator(image.channels.end()));
+            image = std::move(colour);
+        }
+    }
+    checkValidation(device);
+    writePicture(path, image, makeMetadata(scene, device, renderer.stats().device_seconds), options.exposure);
+    report(options, path, device, renderer.stats(), secondsSince(start), renderer.mapBytes());
+    return int(ExitCode::Ok);
+}
+
+}  // namespace
+
+void addRender(CLI::App& app, Action& action) {
+    CLI::App* command = app.add_subcommand("render", "Render a scene to a picture");
+    auto options = std::make_shared<RenderOptions>();
+    addSceneOptions(*command, options->scene);
+    command->add_option("-o,--outfile", options->outfile, "Picture to write, .png or .exr; default: the scene's Film")
+        ->type_name("FILE");
+    command->add_option("--spp", options->scene.samples, "Samples a pixel; 0: only the --aov outputs");
+    command->add_option("--seed", options->scene.seed, "Seed of the sample positions");
+    command->add_option("--aov", options->aov, "Further outputs into the .exr: all, or t,P,N,Ns,u,v,Albedo,id,lit,"
+                                               "steps,residual")
+        ->type_name("LIST");
+    command->add_option("--exposure", options->exposure, "Stops to brighten a .png by");
+    addCommonOptions(*command, options->common);
+    command->callback([options, &action] { action = [options] { return runRender(*options); }; });
+}
+
+}  // namespace dsphere::cli

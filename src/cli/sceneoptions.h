@@ -1,0 +1,28 @@
+#pragma once
+
+#include "render/renderer.h"
+#include "scene/scene.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace dsphere::cli {
+
+/// Options that choose a scene, or override what it says.
+struct SceneOptions {
+    std::string scene;
+    std::vector<int> resolution;
+    std::vector<double> crop;
+    std::optional<int> samples, seed;
+    bool quick = false;
+    Marcher marcher = Marcher::Exact;
+};
+
+void addSceneOptions(CLI::App& command, SceneOptions& options);
+
+/// Parses the scene and applies the overrides. Error (Usage) for values out of range, (InvalidInput) for the scene.
+Scene loadScene(const SceneOptions& options);
+
+}  // namespace dsphere::cli

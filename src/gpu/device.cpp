@@ -1,0 +1,145 @@
+#include "gpu/device.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "base/error.h"
+#include "gpu/instance.h"
+#include "gpu/pipeline_cache.h"
+#include "gpu/result.h"
+#include "gpu/select.h"
+
+namespace dsphere::gpu {
+
+std::vector<DeviceInfo> listDevices() {
+    const Instance instance(false);
+    std::vector<DeviceInfo> infos;
+    for (const Candidate& one : describeDevices(instance)) infos.push_back(one.info);
+    return infos;
+}
+
+Device::Device(const DeviceOptions& options) : instance_(std::make_unique<Instance>(options.validation)) {
+    const std::vector<Candidate> candidates = describeDevices(*instance_);
+    const Candidate& chosen = select(candidates, options.selector);
+    info_ = chosen.info;
+    physical_ = chosen.physical;
+    queue_family_ = chosen.queue_family;
+    timestamp_bits_ = chosen.timestamp_bits;
+    vkGetPhysicalDeviceMemoryProperties(physical_, &memory_);
+    readLimits();
+    createDevice();
+    cache_ = std::make_unique<PipelineCache>(physical_, handle(), table_);
+}
+
+Device::~Device() {
+    instance_->forgetMessages();
+}
+
+Device::Logical::~Logical() {
+    if (device != VK_NULL_HANDLE) destroy(device, nullptr);
+}
+
+void Device::readLimits() {
+    VkPhysicalDeviceMaintenance3Properties maintenance = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES};
+    VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
+    properties.pNext = &maintenance;
+    vkGetPhysicalDeviceProperties2(physical_, &properties);
+    const VkPhysicalDeviceLimits& limits = properties.properties.limits;
+    limits_.max_image_dimension_2d = limits.maxImageDimension2D;
+    limits_.max_image_array_layers = limits.maxImageArrayLayers;
+    limits_.max_storage_buffer_range = limits.maxStorageBufferRange;
+    limits_.max_uniform_buffer_range = limits.maxUniformBufferRange;
+    limits_.max_allocation_size = maintenance.maxMemoryAllocationSize;
+    limits_.max_push_constants_size = limits.maxPushConstantsSize;
+    limits_.max_storage_buffers = limits.maxPerStageDescriptorStorageBuffers;
+    limits_.max_uniform_buffers = limits.maxPerStageDescriptorUniformBuffers;
+    limits_.max_storage_images = limits.maxPerStageDescriptorStorageImages;
+    std::copy_n(limits.maxComputeWorkGroupCount, 3, limits_.max_workgroup_count.begin());
+    for (std::uint32_t i = 0; i < memory_.memoryHeapCount; ++i) {
+        if (memory_.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) {
+            limits_.memory_heap_size = std::max<std::uint64_t>(limits_.memory_heap_size, memory_.memoryHeaps[i].size);
+        }
+    }
+    timestamp_period_ = double(limits.timestampPeriod);
+}
+
+void Device::createDevice() {
+    const float priority = 1.0f;
+    VkDeviceQueueCreateInfo queue = {VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
+    queue.queueFamilyIndex = queue_family_;
+    queue.queueCount = 1;
+    queue.pQueuePriorities = &priority;
+    VkDeviceCreateInfo create = {VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
+    create.queueCreateInfoCount = 1;
+    create.pQueueCreateInfos = &queue;
+    VkDevice device = VK_NULL_HANDLE;
+    check(vkCreateDevice(physical_, &create, nullptr, &device), "vkCreateDevice");
+    volkLoadDeviceTable(&table_, device);
+    logical_.device = device;
+    logical_.destroy = table_.vkDestroyDevice;
+    table_.vkGetDeviceQueue(device, queue_family_, 0, &queue_);
+    setName(VK_OBJECT_TYPE_DEVICE, device, "device");
+    setName(VK_OBJECT_TYPE_QUEUE, queue_, "compute queue");
+
+    VkCommandPoolCreateInfo pool = {VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+    pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
+    pool.queueFamilyIndex = queue_family_;
+    VkCommandPool made = VK_NULL_HANDLE;
+    check(table_.vkCreateCommandPool(device, &pool, nullptr, &made), "vkCreateCommandPool");
+    command_pool_ = Handle<VkCommandPool>(device, made, table_.vkDestroyCommandPool);
+    setName(VK_OBJECT_TYPE_COMMAND_POOL, made, "command pool");
+}
+
+const std::vector<std::string>& Device::validationMessages() const {
+    return instance_->messages();
+}
+
+double Device::timestampSeconds(std::uint64_t begin, std::uint64_t end) const {
+    const std::uint64_t mask = timestamp_bits_ >= 64 ? ~std::uint64_t(0) : (std::uint64_t(1) << timestamp_bits_) - 1;
+    return double((end - begin) & mask) * timestamp_period_ * 1e-9;
+}
+
+VkPipelineCache Device::pipelineCache() const {
+    return cache_->handle();
+}
+
+Handle<VkDeviceMemory> Device::allocate(const VkMemoryRequirements& need, VkMemoryPropertyFlags required,
+                                        VkMemoryPropertyFlags preferred, const std::string& what,
+                                        VkMemoryPropertyFlags* chosen) const {
+    int best = -1, best_score = -1;
+    for (int i = 0; i < int(memory_.memoryTypeCount); ++i) {
+        const VkMemoryPropertyFlags flags = memory_.memoryTypes[i].propertyFlags;
+        if (!(need.memoryTypeBits >> i & 1u) || (flags & required) != required) continue;
+        // The specification orders types by speed within equal flags, so the first of the best is taken.
+        const int score = std::popcount(flags & preferred);
+        if (score > best_score) best = i, best_score = score;
+    }
+    if (best < 0) throwFailure("{}: the device has no memory type for it", what);
+    const VkMemoryType& type = memory_.memoryTypes[best];
+    checkLimit(need.size, limits_.max_allocation_size, "maxMemoryAllocationSize", what);
+    checkLimit(need.size, memory_.memoryHeaps[type.heapIndex].size, "the memory heap's size", what);
+    if (chosen) *chosen = type.propertyFlags;
+
+    VkMemoryAllocateInfo info = {VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
+    info.allocationSize = need.size;
+    info.memoryTypeIndex = std::uint32_t(best);
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    const VkResult result = table_.vkAllocateMemory(handle(), &info, nullptr, &memory);
+    if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) {
+        throwFailure("{}: out of memory, {} bytes asked (vkAllocateMemory: {})", what, need.size, resultName(result));
+    }
+    check(result, "vkAllocateMemory");
+    setName(VK_OBJECT_TYPE_DEVICE_MEMORY, memory, what + " memory");
+    return Handle<VkDeviceMemory>(handle(), memory, table_.vkFreeMemory);
+}
+
+void Device::setNameOf(VkObjectType type, std::uint64_t object, const std::string& name) const {
+    if (!instance_->hasDebugUtils()) return;
+    VkDebugUtilsObjectNameInfoEXT info = {VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT};
+    info.objectType = type;
+    info.objectHandle = object;
+    info.pObjectName = name.c_str();
+    vkSetDebugUtilsObjectNameEXT(handle(), &info);
+}
+
+}  // namespace dsphere::gpu

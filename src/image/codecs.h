@@ -1,0 +1,33 @@
+#pragma once
+
+// The readers behind readRawMap, each of which starts at the file's first byte, and what codecs share.
+
+#include "image/inputfile.h"
+#include "image/rawmap.h"
+
+#include <cstdint>
+#include <string_view>
+
+namespace dsphere {
+
+inline constexpr std::int64_t kMaxSide = 1 << 20;
+inline constexpr std::int64_t kMaxTexels = std::int64_t(1) << 31;
+
+RawMap readPng(InputFile& file);
+RawMap readPnm(InputFile& file);  ///< PGM and PPM: P2 P3 P5 P6
+RawMap readPfm(InputFile& file);
+RawMap readGtx(InputFile& file);
+
+/// Throws unless both sides are in 1..kMaxSide and the texels at most kMaxTexels. `format` is for the message: "PNG".
+void checkSize(const InputFile& file, std::string_view format, std::int64_t width, std::int64_t height);
+
+/// Throws unless `needed` bytes follow the header just read. `what` is for the message: "8-bit PGM of 4x2 texels".
+void checkLength(const InputFile& file, std::string_view what, std::uint64_t needed);
+
+/// The grey of a colour: exactly the value when all are equal, else the mean, rounded once.
+inline float meanOf(float r, float g, float b) {
+    if (r == g && g == b) return r;
+    return float((double(r) + double(g) + double(b)) / 3.0);
+}
+
+}  // namespace dsphere

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "base/image.h"
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <variant>
+
+namespace dsphere {
+
+/// EXR header attributes besides the standard ones.
+using Metadata = std::map<std::string, std::variant<std::string, int, float, std::array<float, 16>>>;
+
+/// Writes all channels to a scanline OpenEXR file, one part, first row on top: FLOAT, or UINT for integer channels,
+/// data window and display window as in the image. Written under a temporary name, then renamed; on failure the
+/// temporary is removed and Error (Failure) thrown.
+void writeExr(const std::filesystem::path& path, const Image& image, const Metadata& metadata);
+
+/// Writes channels R, G, B as an 8-bit sRGB PNG (linear -> sRGB curve after multiplying by 2^exposure, clamped, NaN
+/// black). Same atomicity and errors as writeExr.
+void writePng(const std::filesystem::path& path, const Image& image, double exposure = 0.0);
+
+/// Chooses by the extension, .exr or .png; another one is an Error (Usage).
+void writePicture(const std::filesystem::path& path, const Image& image, const Metadata& metadata,
+                  double exposure = 0.0);
+
+/// Reads back every channel of an EXR file (tests, comparisons), of the first part if there are several; HALF ones are
+/// widened to float. Throws Error (InvalidInput) when it cannot: no EXR, truncated, subsampled channels, absurd size.
+Image readExr(const std::filesystem::path& path);
+
+}  // namespace dsphere

@@ -1,0 +1,86 @@
+#include <algorithm>
+
+#include "image/codecs.h"
+#include "image/netpbm.h"
+
+// PGM and PPM as netpbm's own pages describe them: sizes and maxval in text, then rows from the top, plain numbers
+// (P2 P3) or bytes (P5 P6), two of them, the high one first, when maxval is over 255.
+
+namespace dsphere {
+namespace {
+
+struct Header {
+    std::string type;  ///< "16-bit PGM"
+    bool plain = false;
+    int channels = 1, sample_bytes = 1;
+    int width = 0, height = 0, maxval = 0;
+
+    std::size_t rowSamples() const { return std::size_t(width) * std::size_t(channels); }
+    std::uint64_t samples() const { return std::uint64_t(rowSamples()) * std::uint64_t(height); }
+};
+
+Header readHeader(InputFile& file) {
+    const std::string magic = readWord(file, "P2, P3, P5 or P6");
+    if (magic != "P2" && magic != "P3" && magic != "P5" && magic != "P6")
+        file.invalid("found {:?}, expected P2, P3, P5 or P6", magic);
+    Header header;
+    header.plain = magic < "P5";
+    header.channels = magic == "P3" || magic == "P6" ? 3 : 1;
+    const std::string format = header.channels == 3 ? "PPM" : "PGM";
+    const std::int64_t width = readNumber(file, "the width of a " + format);
+    const std::int64_t height = readNumber(file, "the height of a " + format);
+    checkSize(file, format, width, height);
+    const std::int64_t maxval = readNumber(file, "the maxval of a " + format);
+    if (maxval < 1 || maxval > 65535) file.invalid("{}: maxval is {}, expected 1 to 65535", format, maxval);
+    header.width = int(width);
+    header.height = int(height);
+    header.maxval = int(maxval);
+    header.sample_bytes = maxval > 255 ? 2 : 1;
+    header.type = fmt::format("{}-bit {}", 8 * header.sample_bytes, format);
+    return header;
+}
+
+/// One row of plain or binary samples, not yet averaged; `bytes` is working space.
+void readRow(InputFile& file, const Header& header, std::vector<std::uint8_t>& bytes, std::vector<int>& row) {
+    if (header.plain) {
+        for (int& sample : row) {
+            const std::int64_t number = readNumber(file, "a sample");
+            sample = int(std::min<std::int64_t>(number, header.maxval + 1));
+        }
+        return;
+    }
+    file.read(bytes.data(), bytes.size());
+    for (std::size_t k = 0; k < row.size(); ++k) row[k] = header.sample_bytes == 2 ? load16(&bytes[2 * k]) : bytes[k];
+}
+
+}  // namespace
+
+RawMap readPnm(InputFile& file) {
+    const Header header = readHeader(file);
+    // A plain sample takes a digit, and white space between it and the next.
+    const std::uint64_t needed =
+        header.plain ? 2 * header.samples() - 1 : header.samples() * std::uint64_t(header.sample_bytes);
+    checkLength(file, fmt::format("{} of {}x{} texels", header.type, header.width, header.height), needed);
+
+    RawMap map;
+    map.width = header.width;
+    map.height = header.height;
+    map.full_scale = header.maxval;
+    map.type = header.type;
+    map.samples.reserve(std::size_t(header.width) * std::size_t(header.height));
+    std::vector<int> row(header.rowSamples());
+    std::vector<std::uint8_t> bytes(header.plain ? 0 : row.size() * std::size_t(header.sample_bytes));
+    for (int j = 0; j < header.height; ++j) {
+        readRow(file, header, bytes, row);
+        for (std::size_t k = 0; k < row.size(); ++k)
+            if (row[k] > header.maxval)
+                file.invalid("{}: the sample at column {}, row {} is over the maxval of {}", header.type,
+                             k / std::size_t(header.channels), j, header.maxval);
+        for (std::size_t k = 0; k < row.size(); k += std::size_t(header.channels))
+            map.samples.push_back(header.channels == 1 ? float(row[k])
+                                                       : meanOf(float(row[k]), float(row[k + 1]), float(row[k + 2])));
+    }
+    return map;
+}
+
+}  // namespace dsphere

@@ -1,0 +1,137 @@
+#include "render/devicescene.h"
+
+#include "base/error.h"
+#include "gpu/device.h"
+
+#include <algorithm>
+
+namespace dsphere {
+
+namespace {
+
+/// Stacks rectangles of one width into layers of one height.
+struct Stack {
+    int width = 1, height = 1, layers = 1;
+    int limit = 1;  ///< greatest height
+    int next_y = 0;
+
+    struct Place {
+        int y, layer;
+    };
+
+    Place add(int w, int h) {
+        if (next_y + h > limit) {
+            ++layers;
+            next_y = 0;
+        }
+        Place place{next_y, layers - 1};
+        next_y += h;
+        width = std::max(width, w);
+        height = std::max(height, next_y);
+        return place;
+    }
+};
+
+/// A buffer of `capacity` items, which the shader declares, the first of them given.
+template <typename T>
+gpu::Buffer makeBuffer(gpu::Device& device, gpu::Buffer::Usage usage, const std::vector<T>& items, std::size_t capacity,
+                       const char* name) {
+    gpu::Buffer buffer(device, usage, gpu::Buffer::Place::Device, capacity * sizeof(T), name);
+    if (!items.empty()) buffer.upload(0, items.size() * sizeof(T), items.data());
+    return buffer;
+}
+
+gpu::StorageImage makeImage(gpu::Device& device, gpu::Format format, const Stack& stack, const char* name) {
+    return gpu::StorageImage(device, format, std::uint32_t(stack.width), std::uint32_t(stack.height),
+                             std::uint32_t(stack.layers), name);
+}
+
+// A row at a time would be one submission a row; a few megabytes at a time keeps both count and memory low.
+void uploadNodes(gpu::StorageImage& image, const NodeGrid& nodes, Stack::Place place) {
+    std::size_t width = std::size_t(nodes.width());
+    int rows_at_once = std::max(1, int((4u << 20) / (width * sizeof(float))));
+    std::vector<float> chunk;
+    for (int first = 0; first <= nodes.rows(); first += rows_at_once) {
+        int count = std::min(rows_at_once, nodes.rows() + 1 - first);
+        chunk.resize(width * std::size_t(count));
+        for (int j = 0; j < count; ++j)
+            std::copy_n(nodes.row(first + j), width, chunk.begin() + std::ptrdiff_t(width) * j);
+        image.upload(std::uint32_t(place.layer), 0, std::uint32_t(place.y + first), std::uint32_t(width),
+                     std::uint32_t(count), chunk.data());
+    }
+}
+
+std::vector<layout::vec4> narrowed(const std::vector<glm::dvec4>& edges) {
+    return {edges.begin(), edges.end()};
+}
+
+}  // namespace
+
+struct DeviceScene::Layout {
+    Stack heights, bounds, edges;
+    std::vector<Stack::Place> node_places, bound_places;
+    std::vector<layout::MapData> maps;  ///< one a relief
+
+    std::vector<layout::MapData> ofObjects(const PackedScene& packed) const {
+        std::vector<layout::MapData> result;
+        for (int relief : packed.relief_of_object)
+            result.push_back(relief < 0 ? layout::MapData{} : maps[std::size_t(relief)]);
+        return result;
+    }
+
+    Layout(const gpu::Device& device, const PackedScene& packed) {
+        int limit = int(device.limits().max_image_dimension_2d);
+        heights.limit = bounds.limit = edges.limit = limit;
+        for (const auto& nodes : packed.nodes) {
+            if (nodes->width() > limit || nodes->rows() + 1 > limit)
+                throwInvalid("a map of {}x{} nodes does not fit {}: its images end at {}x{}", nodes->width(),
+                             nodes->rows() + 1, device.info().name, limit, limit);
+            node_places.push_back(heights.add(nodes->width(), nodes->rows() + 1));
+        }
+        for (const PackedRelief& relief : packed.reliefs) {
+            layout::MapData data = relief.shader.data;
+            Stack::Place nodes = node_places[std::size_t(relief.map)];
+            data.heights_y = nodes.y;
+            data.layer = nodes.layer;
+            bound_places.push_back(bounds.add(relief.bounds.side, relief.bounds.imageHeight()));
+            data.bounds_y = bound_places.back().y;
+            data.bounds_layer = bound_places.back().layer;
+            data.edges_y = edges.add(std::max(data.width, data.rows), 2).y;
+            maps.push_back(data);
+        }
+    }
+};
+
+DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed)
+    : DeviceScene(device, packed, Layout(device, packed)) {}
+
+DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, const Layout& layout)
+    : objects_(makeBuffer(device, gpu::Buffer::Usage::Uniform, packed.objects, MAX_OBJECTS, "objects")),
+      maps_(makeBuffer(device, gpu::Buffer::Usage::Uniform, layout.ofObjects(packed), MAX_OBJECTS, "maps")),
+      lights_(makeBuffer(device, gpu::Buffer::Usage::Uniform, packed.lights, MAX_LIGHTS, "lights")),
+      ramps_(makeBuffer(device, gpu::Buffer::Usage::Storage, packed.ramp_points, packed.ramp_points.size(), "ramps")),
+      heights_(makeImage(device, gpu::Format::R32Float, layout.heights, "heights")),
+      bounds_(makeImage(device, gpu::Format::R32Float, layout.bounds, "bounds")),
+      edges_(makeImage(device, gpu::Format::Rgba32Float, layout.edges, "edges")) {
+    for (std::size_t i = 0; i < packed.nodes.size(); ++i)
+        uploadNodes(heights_, *packed.nodes[i], layout.node_places[i]);
+    for (std::size_t i = 0; i < packed.reliefs.size(); ++i) {
+        const PackedRelief& relief = packed.reliefs[i];
+        Stack::Place place = layout.bound_places[i];
+        bounds_.upload(std::uint32_t(place.layer), 0, std::uint32_t(place.y), std::uint32_t(relief.bounds.side),
+                       std::uint32_t(relief.bounds.imageHeight()), relief.bounds.squared.data());
+        auto uploadEdges = [&](int y, const std::vector<glm::dvec4>& edges) {
+            edges_.upload(0, 0, std::uint32_t(y), std::uint32_t(edges.size()), 1, narrowed(edges).data());
+        };
+        uploadEdges(layout.maps[i].edges_y, relief.shader.longitude_edges);
+        uploadEdges(layout.maps[i].edges_y + 1, relief.shader.colatitude_edges);
+    }
+    for (const gpu::StorageImage* image : {&heights_, &bounds_, &edges_})
+        map_bytes_ += std::uint64_t(image->width()) * image->height() * image->layers() * texelBytes(image->format());
+}
+
+std::vector<gpu::Resource> DeviceScene::resources() const {
+    return {&objects_, &maps_, &lights_, &ramps_, &heights_, &bounds_, &edges_};
+}
+
+}  // namespace dsphere

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/image.h"
+#include "gpu/pipeline.h"
+#include "render/pack.h"
+
+#include <vector>
+
+namespace dsphere {
+
+namespace gpu {
+class Device;
+}
+
+/// A packed scene on the device. Maps lie once, stacked in layers of one image however many shapes use them.
+class DeviceScene {
+  public:
+    /// Uploads. Error (InvalidInput) when a map is larger than the device's images; Error (Failure) out of memory.
+    DeviceScene(gpu::Device& device, const PackedScene& packed);
+
+    /// Bindings BINDING_OBJECTS to BINDING_EDGES, in order.
+    std::vector<gpu::Resource> resources() const;
+    /// Bytes on the device: heights, bounds and edge tables.
+    std::uint64_t mapBytes() const { return map_bytes_; }
+
+  private:
+    struct Layout;
+
+    gpu::Buffer objects_, maps_, lights_, ramps_;
+    std::uint64_t map_bytes_ = 0;
+    gpu::StorageImage heights_, bounds_, edges_;
+
+    DeviceScene(gpu::Device& device, const PackedScene& packed, const Layout& layout);
+};
+
+}  // namespace dsphere

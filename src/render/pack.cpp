@@ -1,0 +1,149 @@
+#include "render/pack.h"
+
+#include "base/error.h"
+#include "scene/ramps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsphere {
+
+namespace {
+
+using layout::ObjectData;
+using layout::vec4;
+
+static_assert(RAMP_POINTS == kRampPoints);
+
+// Every hit lies within 1e-6 R of the surface (the contract, which verify holds for each hit), so that far along the
+// normal is outside.
+constexpr double kSecondaryOffset = 1e-6;
+
+vec4 narrow(const dvec3& v, double w) {
+    return vec4(glm::vec3(v), float(w));
+}
+
+/// Object space: the matrices, and the length that counts as 1 there.
+struct Frame {
+    dmat4 world_from_object, object_from_world;
+    double unit;
+};
+
+// Rays counted from the pixel nearest the object's centre, where the moment is smallest: counted from the picture's
+// corner, the moment of a small far object would be a difference of large numbers.
+void packCameraRays(ObjectData& object, const Frame& frame, const Raster& raster) {
+    dvec2 centre = raster.project(transformPoint(frame.world_from_object, dvec3(0.0)));
+    double x = std::clamp(std::floor(centre.x), 0.0, raster.width - 1.0);
+    double y = std::clamp(std::floor(centre.y), 0.0, raster.height - 1.0);
+    dvec3 eye = transformPoint(frame.object_from_world, raster.eye) / frame.unit;
+    dvec3 d0 = transformVector(frame.object_from_world, raster.direction(x + 0.5, y + 0.5));
+    double scale = 1.0 / glm::length(d0);
+    d0 *= scale;
+    dvec3 dx = scale * transformVector(frame.object_from_world, raster.right);
+    dvec3 dy = scale * transformVector(frame.object_from_world, raster.down);
+    object.anchor_x = float(x);
+    object.anchor_y = float(y);
+    object.direction_0 = narrow(d0, glm::dot(eye, d0));
+    object.direction_x = narrow(dx, glm::dot(eye, dx));
+    object.direction_y = narrow(dy, glm::dot(eye, dy));
+    object.moment_0 = narrow(glm::cross(eye, d0), 0.0);
+    object.moment_x = narrow(glm::cross(eye, dx), 0.0);
+    object.moment_y = narrow(glm::cross(eye, dy), 0.0);
+}
+
+void packTransforms(ObjectData& object, const Frame& frame, const Raster& raster) {
+    dmat4 to_object = glm::transpose(frame.object_from_world);  // columns are now rows
+    dmat4 to_world = glm::transpose(frame.world_from_object);
+    auto objectRow = [&](int i) { return vec4(to_object[i] / frame.unit); };
+    auto worldRow = [&](int i) { return narrow(dvec3(to_world[i]) * frame.unit, to_world[i].w); };
+    object.to_object_x = objectRow(0);
+    object.to_object_y = objectRow(1);
+    object.to_object_z = objectRow(2);
+    object.to_world_x = worldRow(0);
+    object.to_world_y = worldRow(1);
+    object.to_world_z = worldRow(2);
+    object.from_camera = narrow(transformPoint(frame.world_from_object, dvec3(0.0)) - raster.eye, 0.0);
+}
+
+void packMaterial(ObjectData& object, const Shape& shape, const Relief& relief) {
+    object.ramp = -1;
+    object.ramp_offset = float(relief.h_offset);
+    object.ramp_scale = float(relief.h_scale);
+    if (const auto* constant = std::get_if<ConstantColour>(&shape.material.reflectance))
+        object.albedo = narrow(constant->rgb, 1.0);
+    else
+        object.ramp = findRamp(std::get<HeightRamp>(shape.material.reflectance).ramp);
+}
+
+int findOrAddRelief(PackedScene& packed, int map, const Relief& relief) {
+    double base = relief.base / relief.greatest_radius, scale = relief.scale / relief.greatest_radius;
+    for (std::size_t i = 0; i < packed.reliefs.size(); ++i) {
+        const PackedRelief& other = packed.reliefs[i];
+        if (other.map == map && other.base == base && other.scale == scale) return int(i);
+    }
+    PackedRelief added{map, base, scale, {}, {}};
+    const NodeGrid& nodes = *packed.nodes[std::size_t(map)];
+    added.bounds = buildBounds(nodes, relief);
+    added.shader = packMap(nodes, added.bounds);
+    packed.reliefs.push_back(std::move(added));
+    return int(packed.reliefs.size()) - 1;
+}
+
+/// Fills what depends on the kind of shape and returns the length that is 1 in the shader's object space.
+double packGeometry(ObjectData& object, PackedScene& packed, const Shape& shape, int map, const Relief& relief) {
+    packed.relief_of_object.push_back(-1);
+    object.base = 1.0f;
+    object.offset = float(kSecondaryOffset);
+    object.shell_squared = float((1.0 + Bounds::kSlack) * (1.0 + Bounds::kSlack)) + 1.2e-7f;
+    if (std::holds_alternative<DisplacedSphere>(shape.geometry)) {
+        object.kind = KIND_DISPLACED;
+        packed.relief_of_object.back() = findOrAddRelief(packed, map, relief);
+        object.base = float(relief.base / relief.greatest_radius);
+        object.scale = float(relief.scale / relief.greatest_radius);
+        return relief.greatest_radius;
+    }
+    if (const auto* disk = std::get_if<Disk>(&shape.geometry)) {
+        object.kind = KIND_DISK;
+        object.base = float(disk->height / disk->radius);
+        object.inner_squared = float(std::pow(disk->inner_radius / disk->radius, 2.0));
+        return disk->radius;
+    }
+    object.kind = KIND_SPHERE;
+    return std::get<Sphere>(shape.geometry).radius;
+}
+
+layout::LightData packLight(const Light& light) {
+    if (const auto* distant = std::get_if<DistantLight>(&light))
+        return {narrow(distant->direction, 0.0), narrow(distant->radiance, 0.0)};
+    const auto& point = std::get<PointLight>(light);
+    return {narrow(point.position, 1.0), narrow(point.intensity, 0.0)};
+}
+
+}  // namespace
+
+PackedScene packScene(const Scene& scene, const SceneMaps& maps) {
+    if (scene.shapes.size() > std::size_t(MAX_OBJECTS))
+        throwInvalid("{}: {} shapes; at most {} are supported", scene.name, scene.shapes.size(), MAX_OBJECTS);
+    if (scene.lights.size() > std::size_t(MAX_LIGHTS))
+        throwInvalid("{}: {} lights; at most {} are supported", scene.name, scene.lights.size(), MAX_LIGHTS);
+    PackedScene packed;
+    for (const auto& map : maps.maps) packed.nodes.push_back(std::make_unique<NodeGrid>(*map));
+    Raster raster = makeRaster(scene.camera, scene.film);
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+        const Shape& shape = scene.shapes[i];
+        ObjectData object = {};
+        double unit = packGeometry(object, packed, shape, maps.map_of_shape[i], maps.reliefs[i]);
+        Frame frame{shape.world_from_object, glm::inverse(shape.world_from_object), unit};
+        packCameraRays(object, frame, raster);
+        packTransforms(object, frame, raster);
+        packMaterial(object, shape, maps.reliefs[i]);
+        packed.kinds |= 1u << object.kind;
+        packed.objects.push_back(object);
+    }
+    for (const Light& light : scene.lights) packed.lights.push_back(packLight(light));
+    for (const Ramp& ramp : ramps())
+        for (const dvec3& point : ramp.points) packed.ramp_points.push_back(narrow(point, 1.0));
+    return packed;
+}
+
+}  // namespace dsphere

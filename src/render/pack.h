@@ -1,0 +1,35 @@
+#pragma once
+
+// Scene -> PackedScene: the one place where double becomes float.
+
+#include "render/packmap.h"
+#include "render/raster.h"
+#include "surface/scenemaps.h"
+
+#include <memory>
+#include <vector>
+
+namespace dsphere {
+
+/// A map under one relief: its nodes and bounds, ready to upload. Several may share their nodes.
+struct PackedRelief {
+    int map = 0;  ///< index in SceneMaps::maps and PackedScene::nodes
+    double base = 1.0, scale = 0.0;  ///< r = base + scale * stored value, units of R
+    Bounds bounds;
+    PackedMap shader;
+};
+
+struct PackedScene {
+    std::vector<layout::ObjectData> objects;  ///< one a shape, in order
+    std::vector<int> relief_of_object;        ///< index in `reliefs`, -1: none
+    std::vector<layout::LightData> lights;
+    std::vector<std::unique_ptr<NodeGrid>> nodes;  ///< one a map of SceneMaps, which they refer to
+    std::vector<PackedRelief> reliefs;             ///< distinct ones
+    std::vector<layout::vec4> ramp_points;         ///< all ramps, RAMP_POINTS each
+    std::uint32_t kinds = 0;                       ///< bit per KIND_ in use
+};
+
+/// Error (InvalidInput) with more than MAX_OBJECTS shapes or MAX_LIGHTS lights.
+PackedScene packScene(const Scene& scene, const SceneMaps& maps);
+
+}  // namespace dsphere

@@ -1,0 +1,51 @@
+#include "render/probe.h"
+
+#include "gpu/buffer.h"
+#include "render/marchpipeline.h"
+#include "shaders/probe.spv.h"
+
+namespace dsphere {
+
+namespace {
+
+// Moment and distance are differences of large numbers far away, hence made in double, as the camera's are.
+layout::ProbeRay narrowRay(const ProbeQuery& query) {
+    double size = glm::length(query.direction);
+    dvec3 d = size > 0.0 ? query.direction / size : query.direction;
+    double along = glm::dot(query.origin, d);
+    layout::ProbeRay ray = {};
+    ray.direction = layout::vec4(glm::vec3(d), float(along));
+    ray.moment = layout::vec4(glm::vec3(glm::cross(query.origin, d)), float(along + query.length));
+    ray.flags = query.secondary ? 1u : 0u;
+    return ray;
+}
+
+}  // namespace
+
+Probe::Probe(gpu::Device& device, const PackedScene& packed, Marcher marcher)
+    : device_(device),
+      device_scene_(device, packed),
+      pipeline_(makeMarchPipeline(device, packed, kSpirv_probe, Shader::Probe, marcher, 0)) {}
+
+std::vector<layout::ProbeHit> Probe::trace(const std::vector<ProbeQuery>& queries) {
+    std::vector<layout::ProbeRay> rays;
+    for (const ProbeQuery& query : queries) rays.push_back(narrowRay(query));
+    std::vector<layout::ProbeHit> hits(queries.size());
+    if (queries.empty()) return hits;
+    using gpu::Buffer;
+    Buffer input(device_, Buffer::Usage::Storage, Buffer::Place::Device, rays.size() * sizeof(rays[0]), "rays");
+    Buffer output(device_, Buffer::Usage::Storage, Buffer::Place::Device, hits.size() * sizeof(hits[0]), "hits");
+    input.upload(0, input.size(), rays.data());
+    std::vector<gpu::Resource> resources = device_scene_.resources();
+    resources.push_back(&input);
+    resources.push_back(&output);
+    gpu::BindingSet set(device_, pipeline_, resources, "probe");
+    gpu::Batch batch(device_, "probe");
+    batch.bind(pipeline_, set);
+    batch.dispatch(std::uint32_t((rays.size() + PROBE_GROUP_SIZE - 1) / PROBE_GROUP_SIZE), 1, 1);
+    batch.submit();
+    output.download(0, output.size(), hits.data());
+    return hits;
+}
+
+}  // namespace dsphere

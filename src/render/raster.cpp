@@ -1,0 +1,42 @@
+#include "render/raster.h"
+
+#include <cmath>
+
+namespace dsphere {
+
+Raster makeRaster(const Camera& camera, const Film& film) {
+    Raster raster;
+    raster.camera_from_world = camera.camera_from_world;
+    raster.width = film.width;
+    raster.height = film.height;
+    double aspect = camera.frame_aspect_ratio.value_or(double(film.width) / film.height);
+    std::array<double, 4> window = aspect > 1.0 ? std::array{-aspect, aspect, -1.0, 1.0}
+                                                : std::array{-1.0, 1.0, -1.0 / aspect, 1.0 / aspect};
+    if (camera.screen_window) window = *camera.screen_window;
+    double spread = std::tan(0.5 * camera.fov_degrees * kPi / 180.0);
+    raster.screen_min = spread * dvec2(window[0], window[2]);
+    raster.screen_max = spread * dvec2(window[1], window[3]);
+
+    dmat4 world_from_camera = glm::inverse(camera.camera_from_world);
+    raster.eye = transformPoint(world_from_camera, dvec3(0.0));
+    raster.origin = transformVector(world_from_camera, dvec3(raster.screen_min.x, raster.screen_max.y, 1.0));
+    dvec2 pixel = (raster.screen_max - raster.screen_min) / dvec2(film.width, film.height);
+    raster.right = transformVector(world_from_camera, dvec3(pixel.x, 0.0, 0.0));
+    raster.down = transformVector(world_from_camera, dvec3(0.0, -pixel.y, 0.0));
+    return raster;
+}
+
+dvec2 Raster::project(const dvec3& world) const {
+    dvec3 p = transformPoint(camera_from_world, world);
+    if (!(p.z > 0.0)) return {0.5 * width, 0.5 * height};
+    dvec2 place = (dvec2(p) / p.z - screen_min) / (screen_max - screen_min);
+    return {place.x * width, (1.0 - place.y) * height};
+}
+
+Box cropBox(const Film& film) {
+    auto edge = [](double fraction, int size) { return int(std::ceil(fraction * size)); };
+    return {edge(film.crop[0], film.width), edge(film.crop[2], film.height), edge(film.crop[1], film.width),
+            edge(film.crop[3], film.height)};
+}
+
+}  // namespace dsphere

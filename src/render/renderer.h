@@ -1,0 +1,57 @@
+#pragma once
+
+#include "base/image.h"
+#include "gpu/commands.h"
+#include "render/devicescene.h"
+#include "render/planes.h"
+#include "render/spans.h"
+
+#include <functional>
+#include <memory>
+
+namespace dsphere {
+
+/// Order as MARCHER_ of layout.h.
+enum class Marcher { Exact, Naive, NaiveShell };
+
+struct RenderStats {
+    double device_seconds = 0.0;  ///< of all dispatches, pipelines warm
+    std::uint64_t camera_rays = 0;
+};
+
+/// Called with the share of the work that is done, 0 to 1; false stops the render.
+using Progress = std::function<bool(double)>;
+
+/// Renders one scene on one device. The packed scene and device must outlive it.
+class Renderer {
+  public:
+    Renderer(gpu::Device& device, const PackedScene& packed, const Scene& scene, Marcher marcher);
+
+    /// R, G, B: the mean of `samples` jittered samples a pixel (1 to 65536). Error (Interrupted) when stopped.
+    Image renderColour(int samples, std::uint32_t seed, const Progress& progress);
+    /// The planes of `mask` for the ray through each pixel's centre; kColourPlanes among them are that ray's colour.
+    Image renderPlanes(std::uint32_t mask, const Progress& progress);
+
+    const RenderStats& stats() const { return stats_; }
+    std::uint64_t mapBytes() const { return device_scene_.mapBytes(); }
+
+  private:
+    struct Film;
+    struct Pass;
+
+    Image render(std::uint32_t mask, int samples, std::uint32_t seed, const Progress& progress);
+    void runTiles(Pass& pass, int sample, double done_before, double share, const Progress& progress);
+    void fillMisses(Image& image) const;
+
+    gpu::Device& device_;
+    const PackedScene& packed_;
+    DeviceScene device_scene_;
+    gpu::Batch batch_;
+    Marcher marcher_;
+    Box crop_, display_;
+    std::vector<Span> spans_;  ///< one a row of the crop
+    std::vector<Box> tiles_;   ///< what is dispatched, in film pixels
+    RenderStats stats_;
+};
+
+}  // namespace dsphere

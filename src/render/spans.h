@@ -1,0 +1,22 @@
+#pragma once
+
+#include "base/image.h"
+#include "shaders/layout.h"
+
+#include <vector>
+
+namespace dsphere {
+
+/// Pixels [x0, x1) of one row; empty if x0 >= x1.
+struct Span {
+    int x0 = 0, x1 = 0;
+
+    bool empty() const { return x0 >= x1; }
+};
+
+/// For each row of `box` (raster pixels) the span that holds every ray, at any jitter, that can come near an object;
+/// x counts from the box's left edge. All other pixels miss. On SIMD devices a group that misses costs almost what one
+/// that hits does, since loops run their body once under an empty mask.
+std::vector<Span> objectSpans(const std::vector<layout::ObjectData>& objects, const Box& box);
+
+}  // namespace dsphere

@@ -1,0 +1,61 @@
+#pragma once
+
+// The directives of the scene language; each reads what follows its word. Internal to the parser.
+
+#include "scene/parameters.h"
+#include "scene/state.h"
+
+namespace dsphere {
+
+/// A directive at work: `word` has been taken, what follows it is next in the source.
+struct Statement {
+    ParseState& state;
+    Source& source;
+    const Token& word;
+};
+
+/// `Shape "sphere"`: the quoted name after a directive, and the parameters after that.
+struct NamedParameters {
+    Token name;
+    Parameters parameters;
+};
+
+/// Reads both; `what` names the kind in errors ("camera"), and an empty `supported` admits any name.
+NamedParameters readNamed(Statement s, std::string_view what, const Words& supported);
+
+// transform_directives.cpp
+void lookAt(Statement s);
+void translate(Statement s);
+void scale(Statement s);
+void rotate(Statement s);
+void identity(Statement s);
+void transform(Statement s);
+void concatTransform(Statement s);
+
+// option_directives.cpp
+void camera(Statement s);
+void film(Statement s);
+void sampler(Statement s);
+void integrator(Statement s);
+
+// block_directives.cpp
+void worldBegin(Statement s);
+void worldEnd(Statement s);
+void attributeBegin(Statement s);
+void attributeEnd(Statement s);
+void transformBegin(Statement s);
+void transformEnd(Statement s);
+/// Fails at the innermost block that is still open; `before` says what came instead of its end.
+void requireNoOpenBlock(const ParseState& state, std::string_view before);
+
+// material_directives.cpp
+void material(Statement s);
+void makeNamedMaterial(Statement s);
+void namedMaterial(Statement s);
+void texture(Statement s);
+
+// light_directives.cpp and shape_directives.cpp
+void lightSource(Statement s);
+void shape(Statement s);
+
+}  // namespace dsphere

@@ -1,0 +1,133 @@
+#pragma once
+
+// The scene as plain data in double, as the text said it: nothing here is packed, uploaded or narrowed.
+// Space: pbrt's left-handed world; transforms act on column vectors.
+
+#include "base/math.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace dsphere {
+
+/// Where a word stands in a scene file; lines and columns count from 1.
+struct SourceLocation {
+    std::string file;
+    int line = 1, column = 1;
+
+    std::string text() const;  ///< "file:line:column"
+};
+
+struct Camera {
+    dmat4 camera_from_world{1.0};  ///< the CTM at the Camera directive; camera looks along +z, y up, x right
+    double fov_degrees = 90.0;     ///< over the shorter axis; in (0, 180)
+    /// Screen window {x0, x1, y0, y1}; unset: the shorter axis spans [-1, 1].
+    std::optional<std::array<double, 4>> screen_window;
+    std::optional<double> frame_aspect_ratio;  ///< width / height that the window is made for; unset: the film's
+
+    bool operator==(const Camera&) const = default;
+};
+
+struct Film {
+    std::string filename = "dsphere.exr";
+    int width = 1280, height = 720;
+    std::array<double, 4> crop{0.0, 1.0, 0.0, 1.0};  ///< {x0, x1, y0, y1} as fractions, y downward
+
+    bool operator==(const Film&) const = default;
+};
+
+struct Sampler {
+    int pixel_samples = 16;
+    int seed = 0;
+
+    bool operator==(const Sampler&) const = default;
+};
+
+enum class Registration { Texel, Gridline };
+
+/// The displaced sphere, poles on ±y: r(u, v) = radius + k (h(u, v) - midlevel).
+struct DisplacedSphere {
+    double radius = 1.0;            ///< > 0, object units
+    double max_displacement = 0.0;  ///< percent of the radius; negative is allowed
+    std::string map_path;           ///< resolved against the scene file's folder; empty: no map, h = 0
+    double midlevel = 0.0;
+    std::optional<double> height_scale;            ///< object units per stored unit; replaces max_displacement
+    std::optional<double> height_min, height_max;  ///< stored values that mean h = 0 and h = 1
+    std::optional<Registration> registration;      ///< unset: the map's own default
+    std::optional<double> longitude_origin;  ///< degrees at the image's left edge; unset: the map's own, else -180
+
+    bool operator==(const DisplacedSphere&) const = default;
+};
+
+/// A plain sphere about the origin.
+struct Sphere {
+    double radius = 1.0;
+
+    bool operator==(const Sphere&) const = default;
+};
+
+/// A flat ring in the plane z = height; innerradius <= distance from the z axis <= radius. Two-sided; its normal is +z.
+struct Disk {
+    double height = 0.0, radius = 1.0, inner_radius = 0.0;
+
+    bool operator==(const Disk&) const = default;
+};
+
+struct ConstantColour {
+    dvec3 rgb{0.5};
+
+    bool operator==(const ConstantColour&) const = default;
+};
+
+/// Coloured by the height h of the displaced sphere it is on, h = 0 the ramp's first colour and h = 1 its last.
+struct HeightRamp {
+    std::string ramp;  ///< a name of scene/ramps.h
+
+    bool operator==(const HeightRamp&) const = default;
+};
+
+using Texture = std::variant<ConstantColour, HeightRamp>;
+
+/// A Lambertian surface.
+struct Matte {
+    Texture reflectance = ConstantColour{};
+
+    bool operator==(const Matte&) const = default;
+};
+
+struct Shape {
+    std::variant<DisplacedSphere, Sphere, Disk> geometry;
+    dmat4 world_from_object{1.0};  ///< invertible
+    Matte material;
+    SourceLocation where;
+};
+
+struct DistantLight {
+    dvec3 direction{0.0, 0.0, -1.0};  ///< world, unit, from the scene towards the light
+    dvec3 radiance{1.0};              ///< irradiance on a facing surface; L times scale
+
+    bool operator==(const DistantLight&) const = default;
+};
+
+struct PointLight {
+    dvec3 position{0.0};   ///< world
+    dvec3 intensity{1.0};  ///< I times scale
+
+    bool operator==(const PointLight&) const = default;
+};
+
+using Light = std::variant<DistantLight, PointLight>;
+
+struct Scene {
+    std::string name;  ///< the file it came from, or "-"
+    Camera camera;
+    Film film;
+    Sampler sampler;
+    std::vector<Shape> shapes;  ///< in the file's order; never empty
+    std::vector<Light> lights;
+};
+
+}  // namespace dsphere

@@ -1,0 +1,76 @@
+#include "scene/directives.h"
+#include "scene/transforms.h"
+
+namespace dsphere {
+
+namespace {
+
+std::optional<Registration> registrationOf(Parameters& p) {
+    std::optional<std::string> word = p.choice("registration", {"texel", "gridline"});
+    if (!word) return {};
+    return *word == "texel" ? Registration::Texel : Registration::Gridline;
+}
+
+DisplacedSphere displacedSphere(Statement s, Parameters& p) {
+    DisplacedSphere sphere;
+    sphere.radius = p.number("radius", kPositive).value_or(sphere.radius);
+    std::optional<double> percent = p.number("maxdispl", kAnyNumber);
+    sphere.max_displacement = percent.value_or(sphere.max_displacement);
+    if (auto path = p.string("displacementmap")) {
+        if (path->text.empty()) failAt(path->where, "the displacementmap's name is empty");
+        sphere.map_path = s.source.resolve(path->text);
+    }
+    sphere.midlevel = p.number("midlevel", kAnyNumber).value_or(sphere.midlevel);
+    p.choice("filter", {"bilinear"});
+    sphere.registration = registrationOf(p);
+    sphere.longitude_origin = p.number("lonorigin", {-360.0, 360.0});
+    sphere.height_min = p.number("heightmin", kAnyNumber);
+    sphere.height_max = p.number("heightmax", kAnyNumber);
+    sphere.height_scale = p.number("heightscale", kAnyNumber);
+    p.finish();
+    if (percent && sphere.height_scale) failAt(s.word.where, "maxdispl and heightscale exclude each other: give one");
+    if (sphere.height_min && sphere.height_min == sphere.height_max) failAt(s.word.where, "heightmin equals heightmax");
+    return sphere;
+}
+
+Sphere plainSphere(Parameters& p) {
+    Sphere sphere;
+    sphere.radius = p.number("radius", kPositive).value_or(sphere.radius);
+    p.finish();
+    return sphere;
+}
+
+Disk disk(Statement s, Parameters& p) {
+    Disk disk;
+    disk.height = p.number("height", kAnyNumber).value_or(disk.height);
+    disk.radius = p.number("radius", kPositive).value_or(disk.radius);
+    disk.inner_radius = p.number("innerradius", kNotNegative).value_or(disk.inner_radius);
+    p.finish();
+    if (disk.inner_radius >= disk.radius)
+        failAt(s.word.where, "innerradius {} is not below the radius {}", disk.inner_radius, disk.radius);
+    return disk;
+}
+
+}  // namespace
+
+void shape(Statement s) {
+    auto [name, p] = readNamed(s, "shape", {"displacedsphere", "sphere", "disk"});
+    Shape shape;
+    shape.world_from_object = s.state.attributes.ctm;
+    shape.material = s.state.attributes.material;
+    shape.where = s.word.where;
+    if (!isInvertible(shape.world_from_object)) failAt(s.word.where, "the shape's transform is singular");
+    if (name.text == "displacedsphere")
+        shape.geometry = displacedSphere(s, p);
+    else if (name.text == "sphere")
+        shape.geometry = plainSphere(p);
+    else
+        shape.geometry = disk(s, p);
+    bool by_height = std::holds_alternative<HeightRamp>(shape.material.reflectance);
+    if (by_height && name.text != "displacedsphere")
+        failAt(s.word.where, "a heightramp colours by height, which a {} has not; supported on: displacedsphere",
+               name.text);
+    s.state.scene.shapes.push_back(std::move(shape));
+}
+
+}  // namespace dsphere

@@ -1,0 +1,51 @@
+#pragma once
+
+// What a parse carries from directive to directive. Internal to the parser.
+
+#include "scene/lexer.h"
+#include "scene/scene.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dsphere {
+
+/// One file being read; a directive lies within one file.
+struct Source {
+    Lexer lexer;
+    std::filesystem::path folder;  ///< relative paths in the file start here
+    int depth = 0;                 ///< Includes around it
+
+    /// The path as this file means it.
+    std::string resolve(const std::string& path) const { return (folder / path).string(); }
+};
+
+/// What AttributeBegin saves; TransformBegin saves the transform alone.
+struct Attributes {
+    dmat4 ctm{1.0};
+    Matte material;
+};
+
+struct OpenBlock {
+    std::string_view opened_by;  ///< "AttributeBegin" or "TransformBegin"
+    Attributes saved;
+    SourceLocation where;
+};
+
+enum class Part { Options, World, Ended };  ///< before WorldBegin, after it, after WorldEnd
+
+struct ParseState {
+    Scene scene;
+    Part part = Part::Options;
+    Attributes attributes;
+    std::vector<OpenBlock> blocks;
+    std::map<std::string, SourceLocation, std::less<>> given;  ///< directives that may stand only once
+    std::map<std::string, Matte, std::less<>> materials;       ///< by name
+    std::map<std::string, Texture, std::less<>> textures;      ///< by name
+    int includes = 0;                                          ///< Include directives met so far
+};
+
+}  // namespace dsphere

@@ -1,0 +1,115 @@
+#include "surface/heightmap.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "base/error.h"
+
+namespace dsphere {
+namespace {
+
+/// Rounded once: the sum of 2^20 floats of like size is exact enough in double, of equal floats exact.
+float meanOfRow(const Heightmap& map, int j) {
+    double sum = 0.0;
+    for (int i = 0; i < map.width; ++i) sum += double(map.at(i, j));
+    return float(sum / map.width);
+}
+
+void requireFinite(const Heightmap& map) {
+    const auto bad = std::ranges::find_if_not(map.samples, [](float s) { return std::isfinite(s); });
+    if (bad == map.samples.end()) return;
+    const std::size_t index = std::size_t(bad - map.samples.begin()), width = std::size_t(map.width);
+    throwInvalid("{}: the sample at column {}, row {} is {}, expected a finite number", map.path, index % width,
+                 index / width, *bad);
+}
+
+/// "column 3, row 0 (latitude 89.75, longitude -178.25 degrees)", the latter in the map's own range.
+std::string describeTexel(const Heightmap& map, std::size_t index) {
+    const std::size_t i = index % std::size_t(map.width), j = index / std::size_t(map.width);
+    const bool texel = map.registration == Registration::Texel;
+    const double longitude = map.longitude_origin + (double(i) + (texel ? 0.5 : 0.0)) * 360.0 / map.width;
+    const double latitude =
+        texel ? 90.0 - (double(j) + 0.5) * 180.0 / map.height : 90.0 - double(j) * 180.0 / (map.height - 1);
+    return fmt::format("column {}, row {} (latitude {:.10g}, longitude {:.10g} degrees)", i, j, latitude, longitude);
+}
+
+/// Throws, naming the texel of the stored value whose radius is not a positive number.
+[[noreturn]] void refuseRadius(const Heightmap& map, float stored, double radius, const SourceLocation& where) {
+    const auto found = std::ranges::find(map.samples, stored);
+    throwInvalid(
+        "{}: the displaced radius is {} at {}, where the map holds {}; expected it to be positive and finite at every "
+        "texel (lower maxdispl, or change midlevel or heightmin and heightmax)",
+        where.text(), radius, describeTexel(map, std::size_t(found - map.samples.begin())), stored);
+}
+
+}  // namespace
+
+Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape) {
+    assert(raw.width > 0 && raw.height > 0);
+    assert(raw.samples.size() == std::size_t(raw.width) * std::size_t(raw.height));
+    Heightmap map;
+    map.width = raw.width;
+    map.height = raw.height;
+    map.registration = shape.registration.value_or(raw.gridline ? Registration::Gridline : Registration::Texel);
+    map.longitude_origin = shape.longitude_origin.value_or(raw.longitude_origin.value_or(-180.0));
+    map.full_scale = raw.full_scale;
+    map.samples = std::move(raw.samples);
+    map.path = shape.map_path;
+    map.type = std::move(raw.type);
+    requireFinite(map);
+    if (map.registration == Registration::Gridline && map.height < 2)
+        throwInvalid("{}: a map of gridline registration has {} row, expected at least 2, one at each pole", map.path,
+                     map.height);
+    map.north_pole = meanOfRow(map, 0);
+    map.south_pole = meanOfRow(map, map.height - 1);
+    if (map.registration == Registration::Gridline) {
+        std::fill_n(map.samples.begin(), map.width, map.north_pole);
+        std::fill_n(map.samples.end() - map.width, map.width, map.south_pole);
+    }
+    const auto [least, greatest] = std::ranges::minmax(map.samples);
+    map.least = least;
+    map.greatest = greatest;
+    return map;
+}
+
+Heightmap loadHeightmap(const DisplacedSphere& shape) {
+    if (!shape.map_path.empty()) return makeHeightmap(readRawMap(shape.map_path), shape);
+    DisplacedSphere smooth = shape;
+    smooth.registration = Registration::Texel;  // a single value has no grid lines
+    RawMap flat;
+    flat.width = flat.height = 1;
+    flat.samples = {0.0f};
+    flat.type = "no map";
+    return makeHeightmap(std::move(flat), smooth);
+}
+
+Relief makeRelief(const DisplacedSphere& shape, const Heightmap& map, const SourceLocation& where) {
+    const double height_min = shape.height_min.value_or(0.0);
+    const double height_max = shape.height_max.value_or(map.full_scale);
+    Relief relief;
+    relief.h_scale = 1.0 / (height_max - height_min);
+    relief.h_offset = -height_min * relief.h_scale;
+    if (!std::isfinite(relief.h_scale) || !std::isfinite(relief.h_offset))
+        throwInvalid("{}: heightmin is {} and heightmax {}, expected two different values", where.text(), height_min,
+                     height_max);
+    if (shape.height_scale) {
+        relief.scale = *shape.height_scale;
+        relief.base = shape.radius - relief.scale * shape.midlevel;
+    } else {
+        const double k = shape.radius * shape.max_displacement / 100.0;
+        relief.scale = k * relief.h_scale;
+        relief.base = shape.radius + k * (relief.h_offset - shape.midlevel);
+    }
+    // r is monotone in the stored value, also as rounded, and the poles' means lie between the samples' extremes.
+    const bool up = relief.scale >= 0.0;
+    const float lowest = up ? map.least : map.greatest, highest = up ? map.greatest : map.least;
+    relief.least_radius = relief.base + relief.scale * double(lowest);
+    relief.greatest_radius = relief.base + relief.scale * double(highest);
+    if (!(relief.least_radius > 0.0)) refuseRadius(map, lowest, relief.least_radius, where);
+    if (!std::isfinite(relief.greatest_radius)) refuseRadius(map, highest, relief.greatest_radius, where);
+    return relief;
+}
+
+}  // namespace dsphere

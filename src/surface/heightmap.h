@@ -1,0 +1,48 @@
+#pragma once
+
+#include "image/rawmap.h"
+#include "scene/scene.h"
+
+#include <vector>
+
+namespace dsphere {
+
+/// Node values of a reconstruction that is watertight at the seam and the poles, in the file's stored units.
+///
+/// Texel registration: node (i, j) stands at u = (i + 0.5) / width, v = (j + 0.5) / height, and the poles are two
+/// further nodes whose value is the mean of the first (last) row. Gridline: node (i, j) at u = i / width,
+/// v = j / (height - 1); the first and last rows are replaced by their means, which are the pole values.
+struct Heightmap {
+    int width = 0, height = 0;
+    Registration registration = Registration::Texel;
+    double longitude_origin = -180.0;  ///< degrees; the u of the left edge is (longitude_origin + 180) / 360
+    double full_scale = 1.0;           ///< the stored value that means h = 1 unless the scene says otherwise
+    std::vector<float> samples;        ///< row-major, first row northmost; all finite
+    float north_pole = 0.0f, south_pole = 0.0f;
+    float least = 0.0f, greatest = 0.0f;  ///< of all samples
+    std::string path, type;
+
+    float at(int i, int j) const { return samples[std::size_t(j) * std::size_t(width) + std::size_t(i)]; }
+};
+
+/// Reads the shape's map and applies its registration and longitude origin (the scene's, else the file's own, else
+/// texel and -180). An empty map path gives a 1x1 map of 0. Throws Error (InvalidInput): unreadable file, a
+/// non-finite sample (names column and row), gridline registration with fewer than 2 rows.
+Heightmap loadHeightmap(const DisplacedSphere& shape);
+
+/// The same from samples already in memory (tests, generated maps).
+Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape);
+
+/// The displaced sphere in the map's stored units: r = base + scale * stored, object units.
+struct Relief {
+    double base = 1.0;   ///< object units
+    double scale = 0.0;  ///< object units per stored unit; may be negative
+    double least_radius = 1.0, greatest_radius = 1.0;  ///< over all nodes, object units
+    double h_scale = 1.0, h_offset = 0.0;              ///< h = h_offset + h_scale * stored
+};
+
+/// Combines shape and map. Throws Error (InvalidInput), prefixed by `where`, when heightmin = heightmax or when r <= 0
+/// at some texel: names its column, row, latitude, longitude and the radius.
+Relief makeRelief(const DisplacedSphere& shape, const Heightmap& map, const SourceLocation& where);
+
+}  // namespace dsphere

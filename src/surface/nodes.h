@@ -1,0 +1,41 @@
+#pragma once
+
+#include "surface/heightmap.h"
+
+#include <vector>
+
+namespace dsphere {
+
+/// The map as the marcher sees it: node rows from pole to pole, wrapping columns, every cell at most 2 pi / 512 wide
+/// and pi / 256 high. A coarser map is subdivided, which leaves its bilinear surface as it is; a finer one is not copied.
+class NodeGrid {
+  public:
+    /// Keeps a reference to `map`, which must outlive the grid.
+    explicit NodeGrid(const Heightmap& map);
+
+    int width() const { return width_; }
+    int rows() const { return rows_; }  ///< rows of cells; there are rows() + 1 rows of nodes
+    /// True: the first and last rows are half as high as the others (the polar caps of texel registration).
+    bool halfCaps() const { return half_caps_; }
+    /// `width()` stored values; row 0 is the north pole's, row rows() the south pole's.
+    const float* row(int j) const;
+
+    double cellWidth() const;   ///< radians of longitude
+    double cellHeight() const;  ///< radians of latitude, of a row that is no cap
+    double longitude(int i) const;   ///< of node column i, radians, any turn
+    double colatitude(int j) const;  ///< of node row j, radians, 0 at the north pole
+    double column(double longitude) const;   ///< fractional, unwrapped
+    double nodeRow(double colatitude) const;  ///< fractional, as if caps were whole rows; its floor is the cell row
+
+  private:
+    void subdivide();
+
+    const Heightmap& map_;
+    int width_ = 0, rows_ = 0;
+    bool half_caps_ = false;
+    double first_node_ = 0.0;  ///< longitude of column 0 in cells
+    std::vector<float> north_, south_;
+    std::vector<float> fine_;  ///< the subdivided rows, if any
+};
+
+}  // namespace dsphere

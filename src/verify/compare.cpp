@@ -1,0 +1,215 @@
+#include "verify/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dsphere::verify {
+
+using reference::LightRay;
+using reference::WorldHit;
+
+namespace {
+
+double floatUlp(double t) {
+    float value = std::abs(float(t));
+    return double(std::nextafter(value, std::numeric_limits<float>::infinity())) - double(value);
+}
+
+double unitOf(const Shape& shape, const Relief& relief) {
+    if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) return sphere->radius;
+    if (const auto* disk = std::get_if<Disk>(&shape.geometry)) return disk->radius;
+    return relief.greatest_radius;
+}
+
+std::vector<double> unitsOf(const Scene& scene, const SceneMaps& maps) {
+    std::vector<double> units;
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) units.push_back(unitOf(scene.shapes[i], maps.reliefs[i]));
+    return units;
+}
+
+// Eight directions across a ray, for shapes that have no gradient worth following.
+std::vector<dvec3> ringOffsets(const dvec3& direction, double step) {
+    dvec3 d = glm::normalize(direction);
+    dvec3 e = glm::normalize(glm::cross(d, std::abs(d.x) < 0.6 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
+    dvec3 g = glm::cross(d, e);
+    std::vector<dvec3> offsets;
+    for (int k = 0; k < 8; ++k) offsets.push_back(step * (std::cos(kPi * k / 4) * e + std::sin(kPi * k / 4) * g));
+    return offsets;
+}
+
+std::string describe(const Answer& answer, const WorldHit& truth) {
+    auto side = [](bool hit, int shape, bool inside, double t) {
+        return hit ? fmt::format("shape {}{} at t = {:.9g}", shape + 1, inside ? " (inside)" : "", t) : std::string("a miss");
+    };
+    return fmt::format("device: {}; reference: {}", side(answer.hit, answer.shape, answer.inside, answer.t),
+                       side(truth.hit, truth.shape, truth.inside, truth.hit ? truth.t() : 0.0));
+}
+
+}  // namespace
+
+Comparison::Comparison(const Scene& scene, const SceneMaps& maps)
+    : scene_(scene), units_(unitsOf(scene, maps)), tracer_(scene, maps.perShape(), maps.reliefs) {}
+
+dvec3 Comparison::objectNormal(int shape, const dvec3& object_position) const {
+    if (const reference::Surface* surface = tracer_.surface(shape)) return surface->normal(object_position);
+    bool disk = std::holds_alternative<Disk>(scene_.shapes[std::size_t(shape)].geometry);
+    return disk ? dvec3(0.0, 0.0, 1.0) : glm::normalize(object_position);
+}
+
+double Comparison::alongRayBound(const WorldRay& ray, const WorldHit& hit, double t) const {
+    dvec3 d = transformVector(tracer_.objectFromWorld(hit.shape), ray.direction);
+    double across = std::abs(glm::dot(objectNormal(hit.shape, hit.object_position), d));
+    return contract::kAlongRay * unit(hit.shape) / std::max(across, 1e-300) + 2.0 * floatUlp(t);
+}
+
+Comparison::Judgement Comparison::judge(const WorldRay& ray, const Answer& answer, const WorldHit& truth,
+                                        double& share) const {
+    share = 0.0;
+    if (!answer.hit && !truth.hit) return Judgement::Right;
+    if (answer.hit != truth.hit || answer.shape != truth.shape || answer.inside != truth.inside)
+        return Judgement::WrongVerdict;
+    double error = answer.t - truth.t();
+    share = std::abs(error) / alongRayBound(ray, truth, answer.t);
+    if (share <= 1.0) return Judgement::Right;
+    if (share <= 10.0) return Judgement::AlongRay;
+    return error > 0.0 ? Judgement::LaterRoot : Judgement::WrongVerdict;
+}
+
+std::vector<dvec3> Comparison::sidewaysOffsets(int shape, const reference::Ray& object_ray) const {
+    std::vector<dvec3> offsets;
+    if (const reference::Surface* surface = tracer_.surface(shape)) {
+        for (const reference::Ray& moved : reference::sidewaysRays(*surface, object_ray))
+            offsets.push_back(moved.origin - object_ray.origin);
+    } else {
+        offsets = ringOffsets(object_ray.direction, contract::kSideways * unit(shape));
+    }
+    const dmat4& to_world = scene_.shapes[std::size_t(shape)].world_from_object;
+    for (dvec3& offset : offsets) offset = transformVector(to_world, offset);
+    return offsets;
+}
+
+// The contract's definition: a ray moved sideways by at most 1e-6 R gives the device's answer.
+bool Comparison::tangent(const WorldRay& ray, const Answer& answer, int true_shape) const {
+    for (int shape : {answer.shape, true_shape}) {
+        if (shape < 0) continue;
+        reference::Ray object_ray = tracer_.objectRay(shape, ray.origin, ray.direction);
+        for (const dvec3& offset : sidewaysOffsets(shape, object_ray)) {
+            WorldRay moved{ray.origin + offset, ray.direction};
+            double share;
+            WorldHit truth = tracer_.firstHit(moved.origin, moved.direction);
+            if (judge(moved, answer, truth, share) == Judgement::Right) return true;
+        }
+    }
+    return false;
+}
+
+void Comparison::checkHit(Report& report, std::uint64_t index, const WorldRay& ray, const Answer& answer) const {
+    WorldHit truth = tracer_.firstHit(ray.origin, ray.direction);
+    double share = 0.0;
+    Judgement judgement = judge(ray, answer, truth, share);
+    ++report.rays;
+    report.hits += answer.hit ? 1 : 0;
+    if (judgement == Judgement::Right) {
+        report.worst_along_ray = std::max(report.worst_along_ray, share);
+    } else if (tangent(ray, answer, truth.shape)) {
+        ++report.tangent;
+    } else {
+        report.addFault(index, describe(answer, truth));
+        if (judgement == Judgement::WrongVerdict) ++report.wrong_verdicts;
+        if (judgement == Judgement::LaterRoot) ++report.later_roots;
+        if (judgement == Judgement::AlongRay) ++report.along_ray_faults;
+    }
+    if (answer.hit && !answer.inside) checkSurface(report, ray, answer);
+}
+
+void Comparison::checkSurface(Report& report, const WorldRay& ray, const Answer& answer) const {
+    const dvec3& p = answer.object_position;
+    double distance = 0.0;
+    if (const reference::Surface* surface = tracer_.surface(answer.shape)) {
+        distance = std::abs(surface->f(p)) / glm::length(surface->gradient(p));
+    } else if (const auto* disk = std::get_if<Disk>(&scene_.shapes[std::size_t(answer.shape)].geometry)) {
+        distance = std::abs(p.z - disk->height);
+    } else {
+        distance = std::abs(glm::length(p) - unit(answer.shape));
+    }
+    report.distances.push_back(float(distance / unit(answer.shape)));
+
+    dvec3 n = transformNormal(tracer_.objectFromWorld(answer.shape), objectNormal(answer.shape, p));
+    bool disk = std::holds_alternative<Disk>(scene_.shapes[std::size_t(answer.shape)].geometry);
+    if (disk && glm::dot(n, ray.direction) > 0.0) n = -n;
+    double angle = std::atan2(glm::length(glm::cross(n, answer.normal)), glm::dot(n, answer.normal));
+    report.normal_degrees.push_back(float(angle * 180.0 / kPi));
+}
+
+bool Comparison::tangentShadow(const Answer& answer, const LightAnswer& light, const WorldRay& shadow, double t_max,
+                               bool device_lit) const {
+    const dmat4& own_from_world = tracer_.objectFromWorld(answer.shape);
+    for (int shape = 0; shape < int(scene_.shapes.size()); ++shape) {
+        reference::Ray object_ray = tracer_.objectRay(shape, shadow.origin, shadow.direction);
+        if (shape == answer.shape) object_ray.origin = light.start;
+        object_ray.t_max = t_max;
+        object_ray.may_start_inside = false;
+        for (const dvec3& offset : sidewaysOffsets(shape, object_ray)) {
+            bool blocked = tracer_.occluded(shadow.origin + offset, shadow.direction, t_max, answer.shape,
+                                            light.start + transformVector(own_from_world, offset));
+            if (blocked != device_lit) return true;
+        }
+    }
+    return false;
+}
+
+void Comparison::checkShadow(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light,
+                             std::size_t k) const {
+    dvec3 start = transformPoint(scene_.shapes[std::size_t(answer.shape)].world_from_object, light.start);
+    LightRay towards = reference::lightRay(scene_.lights[k], start);
+    bool device_lit = (light.lit >> k & 1u) != 0;
+    double cosine = glm::dot(glm::normalize(towards.direction), answer.normal);
+    bool lit = cosine > 0.0 && !tracer_.occluded(start, towards.direction, towards.t_max, answer.shape, light.start);
+    ++report.shadow_rays;
+    if (lit == device_lit) return;
+    // A light in the tangent plane, to rounding: which side it is on is tangency too.
+    bool grazing = std::abs(cosine) < contract::kSideways;
+    if (grazing || tangentShadow(answer, light, {start, towards.direction}, towards.t_max, device_lit)) {
+        ++report.tangent_shadows;
+        return;
+    }
+    ++report.wrong_shadows;
+    report.addFault(index, fmt::format("light {}: device {}, reference {}, cos(N, L) = {:.3g}", k + 1,
+                                       device_lit ? "lit" : "shadowed", lit ? "lit" : "shadowed", cosine));
+}
+
+// A cosine of two float vectors is off by a few 1e-7 whatever its size, hence the part of the bound that does not shrink
+// towards the terminator.
+void Comparison::checkColour(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light) const {
+    dvec3 colour = tracer_.shade(answer.shape, answer.object_position, answer.normal, light.lit);
+    dvec3 full(0.0);
+    for (const Light& source : scene_.lights) {
+        dvec3 towards = reference::lightRay(source, light.position).direction;
+        if (const auto* point = std::get_if<PointLight>(&source))
+            full += point->intensity / std::max(glm::dot(towards, towards), 1e-300);
+        else
+            full += std::get<DistantLight>(source).radiance;
+    }
+    full *= tracer_.reflectance(answer.shape, answer.object_position) / kPi;
+    ++report.colours;
+    double worst = 0.0;
+    for (int c = 0; c < 3; ++c) {
+        double bound = contract::kColour * colour[c] + 1e-6 * full[c] + 1e-30;
+        worst = std::max(worst, std::abs(light.colour[c] - colour[c]) / bound);
+    }
+    report.worst_colour = std::max(report.worst_colour, worst);
+    if (worst <= 1.0) return;
+    ++report.wrong_colours;
+    report.addFault(index, fmt::format("colour: device {:.7g} {:.7g} {:.7g}, reference {:.7g} {:.7g} {:.7g}",
+                                       light.colour.r, light.colour.g, light.colour.b, colour.r, colour.g, colour.b));
+}
+
+void Comparison::checkLight(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light) const {
+    for (std::size_t k = 0; k < scene_.lights.size(); ++k) checkShadow(report, index, answer, light, k);
+    checkColour(report, index, answer, light);
+}
+
+}  // namespace dsphere::verify

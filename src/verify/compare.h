@@ -1,0 +1,65 @@
+#pragma once
+
+#include "reference/tracer.h"
+#include "surface/scenemaps.h"
+#include "verify/report.h"
+
+namespace dsphere::verify {
+
+/// What the device says of one ray. Object space is in object units here, not in units of R.
+struct Answer {
+    bool hit = false, inside = false;
+    int shape = -1;
+    double t = 0.0;  ///< along the unit world direction
+    dvec3 object_position{0.0};
+    dvec3 normal{0.0};  ///< world
+};
+
+/// What the device says of the light at a hit.
+struct LightAnswer {
+    dvec3 start{0.0};  ///< P', object units
+    std::uint32_t lit = 0;
+    dvec3 position{0.0}, colour{0.0};  ///< world P; direct light
+};
+
+struct WorldRay {
+    dvec3 origin, direction;  ///< direction is unit
+};
+
+/// Holds a device's answers against the reference, one ray at a time. Thread-safe; reports go to the caller's.
+class Comparison {
+  public:
+    /// Scene and maps must outlive it.
+    Comparison(const Scene& scene, const SceneMaps& maps);
+
+    /// Verdict, root, distance to the surface and normal of one ray.
+    void checkHit(Report& report, std::uint64_t index, const WorldRay& ray, const Answer& answer) const;
+    /// Shadow verdicts, then the colour at the device's own P, N and verdicts.
+    void checkLight(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light) const;
+
+    /// The greatest radius R of a shape, object units: the length that is 1 on the device.
+    double unit(int shape) const { return units_[std::size_t(shape)]; }
+    const reference::Tracer& tracer() const { return tracer_; }
+
+  private:
+    enum class Judgement { Right, WrongVerdict, LaterRoot, AlongRay };
+
+    dvec3 objectNormal(int shape, const dvec3& object_position) const;
+    double alongRayBound(const WorldRay& ray, const reference::WorldHit& hit, double t) const;
+    Judgement judge(const WorldRay& ray, const Answer& answer, const reference::WorldHit& truth, double& share) const;
+    /// World offsets that move a ray sideways by at most 1e-6 R of the shape.
+    std::vector<dvec3> sidewaysOffsets(int shape, const reference::Ray& object_ray) const;
+    bool tangent(const WorldRay& ray, const Answer& answer, int true_shape) const;
+    void checkSurface(Report& report, const WorldRay& ray, const Answer& answer) const;
+    void checkShadow(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light,
+                     std::size_t k) const;
+    bool tangentShadow(const Answer& answer, const LightAnswer& light, const WorldRay& shadow, double t_max,
+                       bool device_lit) const;
+    void checkColour(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light) const;
+
+    const Scene& scene_;
+    std::vector<double> units_;
+    reference::Tracer tracer_;
+};
+
+}  // namespace dsphere::verify

@@ -1,0 +1,177 @@
+#include "verify/verify.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "reference/camera.h"
+#include "render/raster.h"
+#include "verify/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <numeric>
+#include <random>
+
+namespace dsphere::verify {
+
+namespace {
+
+constexpr std::size_t kChunk = 512;  // pixels a task
+
+/// The channels that a comparison reads, looked up once.
+struct Channels {
+    using Floats = const std::vector<float>*;
+    using Uints = const std::vector<std::uint32_t>*;
+    Floats t, object[3], start[3], position[3], normal[3], colour[3];
+    Uints id, lit, flags;
+
+    explicit Channels(const Image& image) {
+        auto floats = [&](const char* name) { return &image.at(name).floats(); };
+        auto triple = [&](Floats (&target)[3], const char* x, const char* y, const char* z) {
+            target[0] = floats(x);
+            target[1] = floats(y);
+            target[2] = floats(z);
+        };
+        t = floats("t");
+        triple(object, "object.X", "object.Y", "object.Z");
+        triple(start, "start.X", "start.Y", "start.Z");
+        triple(position, "P.X", "P.Y", "P.Z");
+        triple(normal, "N.X", "N.Y", "N.Z");
+        triple(colour, "R", "G", "B");
+        id = &image.at("id").uints();
+        lit = &image.at("lit").uints();
+        flags = &image.at("flags").uints();
+    }
+
+    static dvec3 at(const Floats (&triple)[3], std::size_t i) {
+        return {(*triple[0])[i], (*triple[1])[i], (*triple[2])[i]};
+    }
+};
+
+std::vector<std::size_t> chosenPixels(std::size_t count, std::uint64_t samples) {
+    std::vector<std::size_t> pixels;
+    if (samples == 0 || samples >= count) {
+        pixels.resize(count);
+        std::iota(pixels.begin(), pixels.end(), std::size_t(0));
+        return pixels;
+    }
+    std::mt19937_64 random(1);
+    for (std::uint64_t k = 0; k < samples; ++k) pixels.push_back(std::size_t(random() % count));
+    return pixels;
+}
+
+// All float planes of all pixels; only a miss has a t that is not finite, and it is +infinity.
+void countNotFinite(Report& report, const Image& image) {
+    const auto& ids = image.at("id").uints();
+    for (const Channel& channel : image.channels) {
+        if (!channel.isFloat()) continue;
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            float value = channel.floats()[i];
+            bool far_miss = channel.name == "t" && ids[i] == 0 && std::isinf(value) && value > 0.0f;
+            if (!std::isfinite(value) && !far_miss) {
+                ++report.not_finite;
+                report.addFault(i, fmt::format("{} is {}", channel.name, value));
+            }
+        }
+    }
+}
+
+WorldRay pixelRay(const Scene& scene, const Box& data, std::size_t index) {
+    std::size_t width = std::size_t(data.width());
+    double x = data.x0 + double(index % width) + 0.5, y = data.y0 + double(index / width) + 0.5;
+    reference::CameraRay ray = reference::cameraRay(scene.camera, scene.film, x, y);
+    return {ray.origin, ray.direction};
+}
+
+void comparePixel(Report& report, const Comparison& comparison, const Scene& scene, const Image& image,
+                  const Channels& channels, std::size_t i) {
+    Answer answer;
+    answer.shape = int((*channels.id)[i]) - 1;
+    answer.hit = answer.shape >= 0;
+    answer.inside = ((*channels.flags)[i] & 1u) != 0;
+    if ((*channels.flags)[i] & 2u) ++report.runaways;
+    if (answer.hit) {
+        answer.t = (*channels.t)[i];
+        answer.object_position = Channels::at(channels.object, i) * comparison.unit(answer.shape);
+        answer.normal = Channels::at(channels.normal, i);
+    }
+    comparison.checkHit(report, i, pixelRay(scene, image.data, i), answer);
+    if (!answer.hit || answer.inside) return;
+    LightAnswer light;
+    light.start = Channels::at(channels.start, i) * comparison.unit(answer.shape);
+    light.lit = (*channels.lit)[i];
+    light.position = Channels::at(channels.position, i);
+    light.colour = Channels::at(channels.colour, i);
+    comparison.checkLight(report, i, answer, light);
+}
+
+// Runs body(i) over all of `pixels` in chunks, merging the reports.
+template <typename Body>
+Report inChunks(const std::vector<std::size_t>& pixels, const Progress& progress, Body body) {
+    Report total;
+    std::mutex mutex;
+    std::size_t chunks = (pixels.size() + kChunk - 1) / kChunk, done = 0;
+    parallelFor(chunks, [&](std::size_t chunk) {
+        Report part;
+        for (std::size_t k = chunk * kChunk; k < std::min((chunk + 1) * kChunk, pixels.size()); ++k)
+            body(part, pixels[k]);
+        std::lock_guard lock(mutex);
+        total.merge(std::move(part));
+        if (progress && !progress(double(++done) / double(chunks)))
+            throw Error(ExitCode::Interrupted, "interrupted");
+    });
+    return total;
+}
+
+}  // namespace
+
+Outcome verifyScene(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const Options& options,
+                    const Progress& progress) {
+    PackedScene packed = packScene(scene, maps);
+    Renderer renderer(device, packed, scene, options.marcher);
+    Outcome outcome;
+    outcome.device = renderer.renderPlanes(kVerifyPlanes, {});
+    outcome.stats = renderer.stats();
+    Comparison comparison(scene, maps);
+    Channels channels(outcome.device);
+    outcome.report = inChunks(chosenPixels(outcome.device.pixelCount(), options.samples), progress,
+                              [&](Report& part, std::size_t i) {
+                                  comparePixel(part, comparison, scene, outcome.device, channels, i);
+                              });
+    countNotFinite(outcome.report, outcome.device);
+    return outcome;
+}
+
+Image referenceImage(const Scene& scene, const SceneMaps& maps, const Progress& progress) {
+    Comparison comparison(scene, maps);
+    const reference::Tracer& tracer = comparison.tracer();
+    Image image{cropBox(scene.film), {0, 0, scene.film.width, scene.film.height}, {}};
+    for (const char* name : {"R", "G", "B", "t"}) image.addFloat(name);
+    for (const char* name : {"id", "lit"}) image.addUint(name);
+    inChunks(chosenPixels(image.pixelCount(), 0), progress, [&](Report&, std::size_t i) {
+        WorldRay ray = pixelRay(scene, image.data, i);
+        reference::WorldHit hit = tracer.firstHit(ray.origin, ray.direction);
+        image.channels[3].floats()[i] = hit.hit ? float(hit.t()) : std::numeric_limits<float>::infinity();
+        if (!hit.hit) return;
+        const dmat4& to_object = tracer.objectFromWorld(hit.shape);
+        dvec3 outward = glm::normalize(glm::transpose(dmat3(scene.shapes[std::size_t(hit.shape)].world_from_object)) *
+                                       hit.shading_normal);
+        dvec3 start = hit.object_position + contract::kSideways * comparison.unit(hit.shape) * outward;
+        dvec3 world_start = transformPoint(glm::inverse(to_object), start);
+        std::uint32_t lit = 0;
+        for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+            reference::LightRay towards = reference::lightRay(scene.lights[k], world_start);
+            bool facing = glm::dot(towards.direction, hit.shading_normal) > 0.0;
+            if (facing && !tracer.occluded(world_start, towards.direction, towards.t_max, hit.shape, start))
+                lit |= 1u << k;
+        }
+        dvec3 colour = tracer.shade(hit.shape, hit.object_position, hit.shading_normal, lit);
+        for (int c = 0; c < 3; ++c) image.channels[std::size_t(c)].floats()[i] = float(colour[c]);
+        image.channels[4].uints()[i] = std::uint32_t(hit.shape + 1);
+        image.channels[5].uints()[i] = lit;
+    });
+    return image;
+}
+
+}  // namespace dsphere::verify

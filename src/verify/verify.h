@@ -1,0 +1,33 @@
+#pragma once
+
+#include "render/probe.h"
+#include "render/renderer.h"
+#include "verify/report.h"
+
+namespace dsphere::verify {
+
+struct Options {
+    Marcher marcher = Marcher::Exact;
+    std::uint64_t samples = 0;  ///< pixels to compare, drawn with a fixed seed; 0: all
+};
+
+struct Outcome {
+    Report report;
+    Image device;      ///< all planes, kVerifyPlanes
+    RenderStats stats;
+};
+
+/// Renders all planes of the scene on the device and holds its pixels against the certified reference. Uses all cores.
+/// Errors of rendering; Error (Interrupted) when `progress` says stop.
+Outcome verifyScene(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const Options& options,
+                    const Progress& progress);
+
+/// The reference's own picture of the same scene: R, G, B, t, id and lit at the pixels' centres.
+Image referenceImage(const Scene& scene, const SceneMaps& maps, const Progress& progress);
+
+/// Traces rays against the scene's first shape, a displaced sphere whose object space is the world, and holds the
+/// answers against the reference. A ray's own direction must be finite and not zero.
+Report verifyRays(gpu::Device& device, const Scene& scene, const SceneMaps& maps,
+                  const std::vector<ProbeQuery>& queries, Marcher marcher = Marcher::Exact);
+
+}  // namespace dsphere::verify

@@ -1,0 +1,231 @@
+// Every directive with its parameters, every default, and the two spellings of pbrt.
+
+#include "tests/scene/support.h"
+
+namespace dsphere {
+namespace {
+
+void expectSame(const Scene& a, const Scene& b) {
+    EXPECT_EQ(a.camera, b.camera);
+    EXPECT_EQ(a.film, b.film);
+    EXPECT_EQ(a.sampler, b.sampler);
+    EXPECT_EQ(a.lights, b.lights);
+    ASSERT_EQ(a.shapes.size(), b.shapes.size());
+    for (std::size_t i = 0; i < a.shapes.size(); ++i) {
+        EXPECT_EQ(a.shapes[i].geometry, b.shapes[i].geometry) << "shape " << i;
+        EXPECT_EQ(a.shapes[i].world_from_object, b.shapes[i].world_from_object) << "shape " << i;
+        EXPECT_EQ(a.shapes[i].material, b.shapes[i].material) << "shape " << i;
+    }
+}
+
+template <typename Geometry>
+Geometry onlyGeometry(const std::string& shape) {
+    Scene scene = parse("WorldBegin " + shape);
+    EXPECT_EQ(scene.shapes.size(), 1u);
+    return std::get<Geometry>(scene.shapes.at(0).geometry);
+}
+
+template <typename Kind>
+Kind onlyLight(const std::string& light) {
+    Scene scene = parseParts("", light);
+    EXPECT_EQ(scene.lights.size(), 1u);
+    return std::get<Kind>(scene.lights.at(0));
+}
+
+dvec3 sphereColour(const std::string& world) {
+    Scene scene = parseParts("", world);
+    return std::get<ConstantColour>(scene.shapes.back().material.reflectance).rgb;
+}
+
+TEST(Directives, DefaultsOfAnEmptyScene) {
+    Scene scene = parse("WorldBegin Shape \"sphere\"");
+    EXPECT_EQ(scene.name, "test.pbrt");
+    EXPECT_EQ(scene.camera, Camera{});
+    EXPECT_EQ(scene.camera.fov_degrees, 90.0);
+    EXPECT_EQ(scene.film, (Film{"dsphere.exr", 1280, 720, {0.0, 1.0, 0.0, 1.0}}));
+    EXPECT_EQ(scene.sampler, (Sampler{16, 0}));
+    EXPECT_TRUE(scene.lights.empty());
+    ASSERT_EQ(scene.shapes.size(), 1u);
+    EXPECT_EQ(std::get<Sphere>(scene.shapes[0].geometry).radius, 1.0);
+    EXPECT_EQ(scene.shapes[0].world_from_object, dmat4(1.0));
+    EXPECT_EQ(scene.shapes[0].material, Matte{ConstantColour{dvec3(0.5)}});
+    EXPECT_EQ(scene.shapes[0].where.text(), "test.pbrt:1:12");
+}
+
+TEST(Directives, DefaultsOfNamedDirectivesAreTheSame) {
+    Scene scene = parseParts("Camera \"perspective\" Film \"image\" Sampler \"random\" Integrator \"directlighting\"",
+                             "Material \"matte\"");
+    expectSame(scene, parseParts(""));
+}
+
+TEST(Directives, Camera) {
+    Camera camera = parseParts("Camera \"perspective\" \"float fov\" [30.5] \"float screenwindow\" [-2 2 -1 1]").camera;
+    EXPECT_EQ(camera.fov_degrees, 30.5);
+    EXPECT_EQ(camera.screen_window, (std::array{-2.0, 2.0, -1.0, 1.0}));
+    EXPECT_FALSE(camera.frame_aspect_ratio);
+    EXPECT_EQ(parseParts("Camera \"perspective\" \"float frameaspectratio\" 2").camera.frame_aspect_ratio, 2.0);
+}
+
+TEST(Directives, FilmOfEveryName) {
+    for (std::string name : {"image", "rgb", "gbuffer"}) {
+        Film film =
+            parseParts("Film \"" + name +
+                       "\" \"string filename\" \"out/x.png\" \"integer xresolution\" 1 \"integer yresolution\" 65536"
+                       " \"float cropwindow\" [0 1 .25 .75]")
+                .film;
+        EXPECT_EQ(film, (Film{"out/x.png", 1, 65536, {0.0, 1.0, 0.25, 0.75}})) << name;
+    }
+}
+
+TEST(Directives, SamplerOfAnyName) {
+    for (std::string name : {"halton", "zsobol", "stratified", "independent"}) {
+        Sampler sampler = parseParts("Sampler \"" + name + "\" \"integer pixelsamples\" 64 \"integer seed\" 5").sampler;
+        EXPECT_EQ(sampler, (Sampler{64, 5})) << name;
+    }
+}
+
+TEST(Directives, MaterialColours) {
+    EXPECT_EQ(sphereColour("Material \"matte\" \"rgb Kd\" [.1 .2 .3]"), dvec3(.1, .2, .3));
+    EXPECT_EQ(sphereColour("Material \"diffuse\" \"color reflectance\" [0 1 .5]"), dvec3(0, 1, .5));
+    EXPECT_EQ(sphereColour("Material \"diffuse\" \"rgb Kd\" [.1 .2 .3]"), dvec3(.1, .2, .3));
+    EXPECT_EQ(sphereColour("Material \"matte\" \"rgb reflectance\" [.1 .2 .3]"), dvec3(.1, .2, .3));
+    EXPECT_EQ(sphereColour("Material \"matte\" \"float sigma\" 0"), dvec3(0.5));
+}
+
+TEST(Directives, Textures) {
+    EXPECT_EQ(sphereColour("Texture \"t\" \"color\" \"constant\" Material \"matte\" \"texture Kd\" \"t\""), dvec3(1.0));
+    EXPECT_EQ(sphereColour("Texture \"t\" \"spectrum\" \"constant\" \"color value\" [.1 .2 .3] "
+                           "Material \"diffuse\" \"texture reflectance\" [\"t\"]"),
+              dvec3(.1, .2, .3));
+    for (std::string ramp : {"terrain", "viridis", "geoid", "grey"}) {
+        Scene scene = parse("WorldBegin Texture \"h\" \"spectrum\" \"heightramp\" \"string ramp\" \"" + ramp +
+                            "\" Material \"matte\" \"texture Kd\" \"h\" Shape \"displacedsphere\"");
+        EXPECT_EQ(scene.shapes[0].material, Matte{HeightRamp{ramp}});
+    }
+    Scene scene = parse(
+        "WorldBegin Texture \"h\" \"color\" \"heightramp\" Material \"matte\" \"texture Kd\" \"h\" "
+        "Shape \"displacedsphere\"");
+    EXPECT_EQ(scene.shapes[0].material, Matte{HeightRamp{"terrain"}});
+}
+
+TEST(Directives, NamedMaterials) {
+    Scene scene = parse(R"(WorldBegin
+        MakeNamedMaterial "red" "string type" "matte" "rgb Kd" [1 0 0]
+        MakeNamedMaterial "blue" "rgb reflectance" [0 0 1] "string type" "diffuse"
+        Shape "sphere" NamedMaterial "red" Shape "sphere"
+        AttributeBegin NamedMaterial "blue" Shape "sphere" AttributeEnd Shape "sphere")");
+    ASSERT_EQ(scene.shapes.size(), 4u);
+    EXPECT_EQ(scene.shapes[0].material, Matte{});
+    EXPECT_EQ(scene.shapes[1].material, Matte{ConstantColour{dvec3(1, 0, 0)}});
+    EXPECT_EQ(scene.shapes[2].material, Matte{ConstantColour{dvec3(0, 0, 1)}});
+    EXPECT_EQ(scene.shapes[3].material, scene.shapes[1].material) << "AttributeEnd restores the material";
+}
+
+TEST(Directives, DistantLight) {
+    EXPECT_EQ(onlyLight<DistantLight>("LightSource \"distant\""), (DistantLight{dvec3(0, 0, -1), dvec3(1.0)}));
+    auto light = onlyLight<DistantLight>(
+        "LightSource \"distant\" \"rgb L\" [1 2 3] \"float scale\" 2 "
+        "\"point from\" [0 7 1] \"point3 to\" [0 2 1]");
+    EXPECT_EQ(light, (DistantLight{dvec3(0, 1, 0), dvec3(2, 4, 6)}));
+    light = onlyLight<DistantLight>(
+        "Translate 1 2 3 Rotate 90 0 0 1 LightSource \"distant\" \"point from\" [2 0 0] "
+        "\"point to\" [0 0 0]");
+    expectNear(light.direction, dvec3(0, 1, 0));
+}
+
+TEST(Directives, PointLight) {
+    EXPECT_EQ(onlyLight<PointLight>("LightSource \"point\""), (PointLight{dvec3(0.0), dvec3(1.0)}));
+    EXPECT_EQ(onlyLight<PointLight>("Translate 0 1 0 Scale 2 2 2 LightSource \"point\" \"color I\" [4 5 6] "
+                                    "\"color scale\" [1 .5 0] \"point from\" [1 2 3]"),
+              (PointLight{dvec3(2, 5, 6), dvec3(4, 2.5, 0)}));
+}
+
+TEST(Directives, DisplacedSphere) {
+    EXPECT_EQ(onlyGeometry<DisplacedSphere>("Shape \"displacedsphere\""), DisplacedSphere{});
+    auto sphere = onlyGeometry<DisplacedSphere>(R"(Shape "displacedsphere" "float radius" 2 "float maxdispl" -5
+        "string displacementmap" "maps/moon.png" "float midlevel" .5 "string filter" "bilinear"
+        "string registration" "texel" "float lonorigin" 0 "float heightmin" -1 "float heightmax" 9)");
+    DisplacedSphere expected;
+    expected.radius = 2;
+    expected.max_displacement = -5;
+    expected.map_path = "folder/maps/moon.png";
+    expected.midlevel = 0.5;
+    expected.registration = Registration::Texel;
+    expected.longitude_origin = 0.0;
+    expected.height_min = -1.0;
+    expected.height_max = 9.0;
+    EXPECT_EQ(sphere, expected);
+}
+
+TEST(Directives, DisplacedSphereInTrueScale) {
+    auto sphere = onlyGeometry<DisplacedSphere>(R"(Shape "displacedsphere" "float radius" 6371000
+        "string displacementmap" "/maps/geoid.gtx" "string registration" "gridline" "float heightscale" 1e4)");
+    EXPECT_EQ(sphere.map_path, "/maps/geoid.gtx");
+    EXPECT_EQ(sphere.registration, Registration::Gridline);
+    EXPECT_EQ(sphere.height_scale, 1e4);
+    EXPECT_FALSE(sphere.height_min || sphere.height_max || sphere.longitude_origin);
+}
+
+TEST(Directives, SphereAndDisk) {
+    EXPECT_EQ(onlyGeometry<Sphere>("Shape \"sphere\" \"float radius\" 1e-3").radius, 1e-3);
+    EXPECT_EQ(onlyGeometry<Disk>("Shape \"disk\""), (Disk{0.0, 1.0, 0.0}));
+    EXPECT_EQ(onlyGeometry<Disk>("Shape \"disk\" \"float height\" -2 \"float radius\" 5 \"float innerradius\" 1"),
+              (Disk{-2.0, 5.0, 1.0}));
+}
+
+TEST(Directives, NumbersAndWordsInEverySpelling) {
+    auto radius = [](const std::string& value) {
+        return onlyGeometry<Sphere>("Shape \"sphere\" \"float radius\" " + value).radius;
+    };
+    EXPECT_EQ(radius("+2"), 2.0);
+    EXPECT_EQ(radius(".5"), 0.5);
+    EXPECT_EQ(radius("[ 2. ]"), 2.0);
+    EXPECT_EQ(radius("1E+2"), 100.0);
+    EXPECT_EQ(radius("[3]#comment"), 3.0);
+    EXPECT_EQ(onlyGeometry<Sphere>("Shape\"sphere\"\"  float   radius \"4").radius, 4.0);
+    EXPECT_EQ(parse("WorldBegin\r\nShape \"sphere\"\r\n").shapes[0].where.text(), "test.pbrt:2:1");
+    EXPECT_EQ(parse(kFullScene).film.filename, "a\\b\"c.exr");
+}
+
+TEST(Directives, BothSpellingsOfPbrtGiveTheSameScene) {
+    Scene v3 = parse(R"(
+        LookAt 0 1 -5  0 0 0  0 1 0
+        Camera "perspective" "float fov" [35]
+        Film "image" "string filename" ["o.exr"] "integer xresolution" [320] "integer yresolution" [200]
+        Sampler "02sequence" "integer pixelsamples" [8]
+        Integrator "directlighting" "integer maxdepth" [5]
+        WorldBegin
+        LightSource "distant" "color L" [2 2 2] "point from" [1 1 -1] "point to" [0 0 0] "color scale" [.5 .5 .5]
+        LightSource "point" "color I" [3 3 3] "point from" [0 4 0]
+        Texture "ramp" "color" "heightramp"
+        MakeNamedMaterial "planet" "string type" ["matte"] "texture Kd" ["ramp"]
+        AttributeBegin
+            NamedMaterial "planet"
+            Shape "displacedsphere" "string displacementmap" ["m.png"] "float maxdispl" [5]
+        AttributeEnd
+        Material "matte" "color Kd" [.2 .3 .4] "float sigma" [0]
+        Shape "disk" "float radius" [3]
+        WorldEnd)");
+    Scene v4 = parse(R"(
+        LookAt 0 1 -5  0 0 0  0 1 0
+        Camera "perspective" "float fov" 35
+        Film "rgb" "string filename" "o.exr" "integer xresolution" 320 "integer yresolution" 200
+        Sampler "zsobol" "integer pixelsamples" 8
+        WorldBegin
+        LightSource "distant" "rgb L" [2 2 2] "point3 from" [1 1 -1] "point3 to" [0 0 0] "float scale" .5
+        LightSource "point" "rgb I" [3 3 3] "point3 from" [0 4 0]
+        Texture "ramp" "spectrum" "heightramp" "string ramp" "terrain"
+        MakeNamedMaterial "planet" "string type" "diffuse" "texture reflectance" "ramp"
+        AttributeBegin
+            NamedMaterial "planet"
+            Shape "displacedsphere" "string displacementmap" "m.png" "float maxdispl" 5
+        AttributeEnd
+        Material "diffuse" "rgb reflectance" [.2 .3 .4]
+        Shape "disk" "float radius" 3)");
+    expectSame(v3, v4);
+    EXPECT_EQ(v3.lights.size(), 2u);
+    EXPECT_EQ(v3.shapes.size(), 2u);
+}
+
+}  // namespace
+}  // namespace dsphere

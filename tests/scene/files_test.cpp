@@ -1,0 +1,153 @@
+// Scenes in files: Include, relative paths, standard input.
+
+#include "tests/scene/support.h"
+
+#include <iostream>
+#include <sstream>
+
+namespace dsphere {
+namespace {
+
+std::string errorOfFile(const std::filesystem::path& path) {
+    try {
+        parseSceneFile(path);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::InvalidInput);
+        return error.what();
+    }
+    ADD_FAILURE() << "accepted " << path;
+    return "";
+}
+
+TEST(SceneFiles, PathsStartAtTheFileTheyStandIn) {
+    Folder folder;
+    folder.write("parts/planet.pbrt", "Shape \"displacedsphere\" \"string displacementmap\" \"maps/a.png\"\n");
+    auto path = folder.write("scene.pbrt",
+                             "Film \"rgb\" \"string filename\" \"out.exr\" WorldBegin\n"
+                             "Include \"parts/planet.pbrt\"\n"
+                             "Shape \"displacedsphere\" \"string displacementmap\" \"b.png\"\n");
+    Scene scene = parseSceneFile(path);
+    ASSERT_EQ(scene.shapes.size(), 2u);
+    auto map = [&](int i) { return std::get<DisplacedSphere>(scene.shapes[i].geometry).map_path; };
+    EXPECT_EQ(map(0), (folder.path() / "parts/maps/a.png").string());
+    EXPECT_EQ(map(1), (folder.path() / "b.png").string());
+    EXPECT_EQ(scene.name, path.string());
+    EXPECT_EQ(scene.film.filename, "out.exr") << "the film's name stays as written";
+    EXPECT_EQ(scene.shapes[0].where.text(), (folder.path() / "parts/planet.pbrt").string() + ":1:1");
+}
+
+TEST(SceneFiles, IncludesCarryTheStateOn) {
+    Folder folder;
+    folder.write("open.pbrt", "AttributeBegin Translate 1 0 0");
+    folder.write("close.pbrt", "AttributeEnd");
+    auto path = folder.write(
+        "scene.pbrt", "WorldBegin Include \"open.pbrt\" Shape \"sphere\" Include \"close.pbrt\" Shape \"sphere\"");
+    Scene scene = parseSceneFile(path);
+    EXPECT_EQ(scene.shapes[0].world_from_object[3], dvec4(1, 0, 0, 1));
+    EXPECT_EQ(scene.shapes[1].world_from_object, dmat4(1.0));
+}
+
+TEST(SceneFiles, ErrorsNameTheIncludedFile) {
+    Folder folder;
+    auto part = folder.write("part.pbrt", "\n  Shpae \"sphere\"");
+    auto path = folder.write("scene.pbrt", "WorldBegin Include \"part.pbrt\"");
+    EXPECT_EQ(errorOfFile(path).find(part.string() + ":2:3: unknown directive \"Shpae\""), 0u) << errorOfFile(path);
+}
+
+TEST(SceneFiles, SixteenIncludesNestAndSeventeenDoNot) {
+    Folder folder;
+    for (int i = 1; i < 17; ++i) folder.write(std::to_string(i), "Include \"" + std::to_string(i + 1) + "\"");
+    auto path = folder.write("0", "WorldBegin Include \"1\"");
+    folder.write("16", "Shape \"sphere\"");
+    EXPECT_EQ(parseSceneFile(path).shapes.size(), 1u);
+    folder.write("16", "Include \"17\"");
+    std::string error = errorOfFile(path);
+    EXPECT_EQ(error.find((folder.path() / "16").string() + ":1:1: "), 0u) << error;
+    EXPECT_NE(error.find("deeper than 16"), std::string::npos) << error;
+}
+
+TEST(SceneFiles, EndlessIncludesEnd) {
+    Folder folder;
+    auto self = folder.write("self.pbrt", "Include \"self.pbrt\"");
+    EXPECT_NE(errorOfFile(self).find("deeper than 16"), std::string::npos);
+    for (int i = 1; i < 12; ++i) {
+        std::string next = "Include \"" + std::to_string(i + 1) + "\" ";
+        folder.write(std::to_string(i), next + next + next + next);
+    }
+    folder.write("12", "");
+    auto path = folder.write("0", "Include \"1\"");
+    EXPECT_NE(errorOfFile(path).find("more than 4096 Includes"), std::string::npos);
+}
+
+TEST(SceneFiles, UnreadableFiles) {
+    Folder folder;
+    std::string missing = errorOfFile(folder.path() / "none.pbrt");
+    EXPECT_NE(missing.find("none.pbrt: No such file or directory"), std::string::npos) << missing;
+    EXPECT_NE(errorOfFile(folder.path()).find("is a directory"), std::string::npos);
+    auto path = folder.write("scene.pbrt", "WorldBegin\n Include \"none.pbrt\"");
+    EXPECT_EQ(errorOfFile(path).find(path.string() + ":2:10: cannot open "), 0u) << errorOfFile(path);
+    path = folder.write("folder.pbrt", "Include \".\"");
+    EXPECT_NE(errorOfFile(path).find(path.string() + ":1:9: "), std::string::npos);
+    EXPECT_NE(errorOfFile(path).find("is a directory"), std::string::npos);
+}
+
+TEST(SceneFiles, DirectivesDoNotReachIntoAnInclude) {
+    Folder folder;
+    auto part = folder.write("part.pbrt", "Translate 1 2");
+    auto path = folder.write("scene.pbrt", "Include \"part.pbrt\" 3 WorldBegin Shape \"sphere\"");
+    EXPECT_EQ(errorOfFile(path), part.string() + ":1:14: expected a number, found the end of the file");
+}
+
+TEST(SceneFiles, TheDocumentedExampleIsAScene) {
+    std::ifstream page(DSPHERE_SOURCE_DIR "/docs/scene-format.md");
+    std::stringstream text;
+    text << page.rdbuf();
+    std::string all = text.str(), fence = "```pbrt\n";
+    std::size_t begin = all.find(fence), end = all.find("```\n", begin + fence.size());
+    ASSERT_TRUE(begin != std::string::npos && end != std::string::npos);
+    Scene scene = parse(all.substr(begin + fence.size(), end - begin - fence.size()));
+    EXPECT_EQ(scene.shapes.size(), 2u);
+    EXPECT_EQ(scene.lights.size(), 2u);
+    // The disk is a floor: its normal +z points down, its plane is y = -1.5.
+    expectNear(transformPoint(scene.shapes[1].world_from_object, dvec3(1, 2, 0)), dvec3(1, -1.5, 2));
+}
+
+TEST(SceneFiles, ThePagesErrorIsTheParsersOwn) {
+    EXPECT_NE(
+        errorOf("WorldBegin Shape \"cone\"").find("unknown shape \"cone\"; supported: displacedsphere, sphere, disk"),
+        std::string::npos);
+}
+
+TEST(SceneFiles, TheAssetsAreScenes) {
+    for (const auto& entry : std::filesystem::directory_iterator(DSPHERE_SOURCE_DIR "/assets/scenes")) {
+        if (entry.path().extension() != ".pbrt") continue;
+        EXPECT_NO_THROW(parseSceneFile(entry.path())) << entry.path();
+    }
+}
+
+/// Feeds text to std::cin for its lifetime.
+class StandardInput {
+  public:
+    explicit StandardInput(const std::string& text) : text_(text), before_(std::cin.rdbuf(text_.rdbuf())) {
+        std::cin.clear();
+    }
+    ~StandardInput() { std::cin.rdbuf(before_); }
+
+  private:
+    std::istringstream text_;
+    std::streambuf* before_;
+};
+
+TEST(SceneFiles, DashIsStandardInput) {
+    {
+        StandardInput input("WorldBegin Shape \"displacedsphere\" \"string displacementmap\" \"a.png\"");
+        Scene scene = parseSceneFile("-");
+        EXPECT_EQ(scene.name, "-");
+        EXPECT_EQ(std::get<DisplacedSphere>(scene.shapes[0].geometry).map_path, "a.png");
+    }
+    StandardInput input("WorldBegin\nNonsense");
+    EXPECT_EQ(errorOfFile("-").find("-:2:1: unknown directive \"Nonsense\""), 0u);
+}
+
+}  // namespace
+}  // namespace dsphere

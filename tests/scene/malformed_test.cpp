@@ -1,0 +1,216 @@
+// What a user may get wrong, where the message points, and what it says.
+
+#include "tests/scene/support.h"
+
+#include <vector>
+
+namespace dsphere {
+namespace {
+
+struct Malformed {
+    std::string text;
+    std::string place;  // line:column
+    std::string says;
+};
+
+void expectAll(const std::vector<Malformed>& cases) {
+    for (const Malformed& wrong : cases) {
+        std::string message = errorOf(wrong.text);
+        EXPECT_EQ(message.find("test.pbrt:" + wrong.place + ": "), 0u) << wrong.text << "\n" << message;
+        EXPECT_NE(message.find(wrong.says), std::string::npos) << wrong.text << "\n" << message;
+        EXPECT_EQ(message.find('\n'), std::string::npos) << "a message is one line: " << message;
+    }
+}
+
+TEST(Malformed, Text) {
+    expectAll({
+        {"Camera \"persp", "1:8", "unterminated string"},
+        {"Camera \"persp\nective\"", "1:8", "unterminated string"},
+        {"Film \"a\\n\"", "1:9", "unknown escape"},
+        {"Film \"a\\", "1:9", "unknown escape"},
+        {std::string("World\0Begin", 11), "1:6", "control character 0x00"},
+        {"Film \"a\tb\"", "1:8", "control character 0x09"},
+        {"# only\n\n  Shpae", "3:3", "unknown directive \"Shpae\"; supported: Include, LookAt"},
+        {"\"Camera\"", "1:1", "expected a directive, found \"Camera\""},
+        {"[ 1 2 ]", "1:1", "expected a directive, found '['"},
+        {"worldbegin", "1:1", "unknown directive \"worldbegin\""},
+        {"ReverseOrientation", "1:1", "unknown directive"},
+        {"AreaLightSource \"diffuse\"", "1:1", "unknown directive \"AreaLightSource\""},
+    });
+}
+
+TEST(Malformed, Structure) {
+    expectAll({
+        {"", "1:1", "no WorldBegin"},
+        {"Camera \"perspective\"\n", "2:1", "no WorldBegin"},
+        {"WorldBegin\n", "2:1", "no shape"},
+        {"WorldBegin WorldEnd", "1:20", "no shape"},
+        {"Shape \"sphere\"", "1:1", "Shape stands before WorldBegin"},
+        {"LightSource \"distant\"", "1:1", "LightSource stands before WorldBegin"},
+        {"AttributeBegin", "1:1", "before WorldBegin"},
+        {"WorldEnd", "1:1", "before WorldBegin"},
+        {"WorldBegin\nCamera \"perspective\"", "2:1", "Camera stands after WorldBegin"},
+        {"WorldBegin WorldBegin", "1:12", "WorldBegin stands after WorldBegin"},
+        {"WorldBegin Shape \"sphere\" WorldEnd\nIdentity", "2:1", "after WorldEnd"},
+        {"WorldBegin AttributeEnd", "1:12", "AttributeEnd without AttributeBegin"},
+        {"WorldBegin TransformEnd", "1:12", "TransformEnd without TransformBegin"},
+        {"WorldBegin AttributeBegin\n TransformEnd", "2:2", "TransformEnd inside the AttributeBegin of test.pbrt:1:12"},
+        {"WorldBegin TransformBegin\n AttributeEnd", "2:2", "AttributeEnd inside the TransformBegin of test.pbrt:1:12"},
+        {"WorldBegin Shape \"sphere\"\n AttributeBegin", "2:2", "AttributeBegin is not closed before the end"},
+        {"WorldBegin Shape \"sphere\"\n TransformBegin WorldEnd", "2:2",
+         "TransformBegin is not closed before WorldEnd"},
+        {"Film \"rgb\"\nFilm \"rgb\"", "2:1", "Film is given twice, first at test.pbrt:1:1"},
+        {"Camera \"perspective\" Camera \"perspective\"", "1:22", "Camera is given twice"},
+        {"Sampler \"a\" Sampler \"b\"", "1:13", "Sampler is given twice"},
+        {"Include 5", "1:9", "expected a file's name in double quotes, found \"5\""},
+    });
+}
+
+TEST(Malformed, Transforms) {
+    expectAll({
+        {"Translate 1 2", "1:14", "expected a number, found the end of the file"},
+        {"Translate 1 2 x", "1:15", "expected a number, found \"x\""},
+        {"Translate 1 2 \"3\"", "1:15", "expected a number"},
+        {"Translate [1 2 3]", "1:11", "expected a number, found '['"},
+        {"Translate 1 2 nan", "1:15", "\"nan\" is not a finite number"},
+        {"Translate 1 2 -inf", "1:15", "\"-inf\" is not a finite number"},
+        {"Translate 1 2 1e999", "1:15", "\"1e999\" is not a finite number"},
+        {"Translate 1 2 3e", "1:15", "expected a number, found \"3e\""},
+        {"Translate 1 2 +-3", "1:15", "expected a number"},
+        {"Translate 1 2 3 4", "1:17", "unknown directive \"4\""},
+        {"Rotate 90 0 0 0", "1:1", "the axis of Rotate is 0 0 0"},
+        {"LookAt 0 0 1  0 0 1  0 1 0", "1:1", "degenerate LookAt"},
+        {"LookAt 0 0 1  0 0 0  0 0 7", "1:1", "degenerate LookAt"},
+        {"LookAt 0 0 1  0 0 0  0 0 0", "1:1", "degenerate LookAt"},
+        {"LookAt 1e308 0 0  -1e308 0 0  0 1 0", "1:1", "degenerate LookAt"},
+        {"Scale 1e200 1 1\nScale 1e200 1 1", "2:1", "Scale overflows"},
+        {"Transform 1 0 0", "1:11", "expected '['"},
+        {"Transform [1 0 0 0 0 1 0 0 0 0 1 0 0 0 0]", "1:41", "expected a number, found ']'"},
+        {"Transform [1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 2]", "1:44", "expected ']'"},
+        {"ConcatTransform [1 0 0 1 0 1 0 0 0 0 1 0 0 0 0 1]", "1:1", "ConcatTransform is not affine"},
+        {"Transform [1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 2]", "1:1", "not affine"},
+        {"Scale 0 1 1 Camera \"perspective\"", "1:13", "the camera's transform is singular"},
+        {"WorldBegin Scale 1 1 0 Shape \"sphere\"", "1:24", "the shape's transform is singular"},
+        {"WorldBegin Scale 1e-150 1e-150 1e-150 Shape \"sphere\"", "1:39", "singular"},
+    });
+}
+
+TEST(Malformed, Parameters) {
+    expectAll({
+        {"Camera perspective", "1:8", "expected the camera in double quotes, found \"perspective\""},
+        {"Camera \"perspective\" \"fov\" 5", "1:22", "declared as \"type name\""},
+        {"Camera \"perspective\" \"float fov x\" 5", "1:22", "declared as \"type name\""},
+        {"Camera \"perspective\" \"\" 5", "1:22", "declared as \"type name\""},
+        {"Camera \"perspective\" \"flaot fov\" 5", "1:22",
+         "unknown parameter type \"flaot\"; supported: float, integer"},
+        {"Camera \"perspective\" \"float fvo\" 5", "1:22",
+         "unknown parameter \"fvo\" of Camera \"perspective\"; supported: float fov, float screenwindow"},
+        {"Camera \"perspective\" \"integer fov\" 5", "1:22", "has type integer; supported: float"},
+        {"Camera \"perspective\" \"float fov\"", "1:33", "expected a value of parameter \"fov\""},
+        {"Camera \"perspective\" \"float fov\" ]", "1:34", "expected a value of parameter \"fov\", found ']'"},
+        {"Camera \"perspective\" \"float fov\" []", "1:22", "takes 1 value, found 0"},
+        {"Camera \"perspective\" \"float fov\" [5 6]", "1:22", "takes 1 value, found 2"},
+        {"Camera \"perspective\" \"float fov\" [[5]]", "1:35", "expected ']' after the values"},
+        {"Camera \"perspective\" \"float fov\" [5", "1:36", "expected ']' after the values"},
+        {"Camera \"perspective\" \"float fov\" \"5\"", "1:34", "expected a number, found \"5\""},
+        {"Camera \"perspective\" \"float fov\" five", "1:34", "expected a number, found \"five\""},
+        {"Camera \"perspective\" \"float fov\" 5\n\"float fov\" 6", "2:1", "given twice, first at test.pbrt:1:22"},
+        {"Film \"rgb\" \"integer xresolution\" 10.0", "1:34", "expected an integer, found \"10.0\""},
+        {"Film \"rgb\" \"integer xresolution\" 4294967297", "1:34",
+         "\"4294967297\" does not fit an integer of 32 bits"},
+        {"Film \"rgb\" \"string filename\" x.exr", "1:30", "takes a word in double quotes, found \"x.exr\""},
+        {"Film \"rgb\" \"bool filename\" true", "1:12", "has type bool; supported: string"},
+        {"WorldBegin Material \"matte\" \"rgb Kd\" .5", "1:29", "takes 3 values in [ ], found 1"},
+        {"WorldBegin Material \"matte\" \"spectrum Kd\" \"x\"", "1:29", "has type spectrum; supported: rgb, texture"},
+        {"WorldBegin LightSource \"point\" \"vector from\" [0 0 0]", "1:32", "has type vector; supported: point"},
+        {"WorldBegin LightSource \"distant\" \"spectrum L\" [400 1]", "1:34", "has type spectrum; supported: rgb"},
+    });
+}
+
+TEST(Malformed, Options) {
+    expectAll({
+        {"Camera \"orthographic\"", "1:8", "unknown camera \"orthographic\"; supported: perspective"},
+        {"Camera \"perspective\" \"float fov\" 0", "1:34", "parameter \"fov\" is 0; supported: in (0, 180)"},
+        {"Camera \"perspective\" \"float fov\" 180", "1:34", "is 180; supported: in (0, 180)"},
+        {"Camera \"perspective\" \"float lensradius\" 1", "1:22", "unknown parameter \"lensradius\""},
+        {"Camera \"perspective\" \"float screenwindow\" [-1 1 1 1]", "1:1", "screenwindow is empty"},
+        {"Camera \"perspective\" \"float screenwindow\" [-1 1 1]", "1:22", "takes 4 values in [ ], found 3"},
+        {"Camera \"perspective\" \"float frameaspectratio\" 0", "1:47", "greater than 0"},
+        {"Camera \"perspective\" \"float frameaspectratio\" 1 \"float screenwindow\" [-1 1 -1 1]", "1:1", "exclude"},
+        {"Film \"sphere\"", "1:6", "unknown film \"sphere\"; supported: image, rgb, gbuffer"},
+        {"Film \"rgb\" \"integer xresolution\" 0", "1:34", "is 0; supported: in [1, 65536]"},
+        {"Film \"rgb\" \"integer yresolution\" 65537", "1:34", "is 65537; supported: in [1, 65536]"},
+        {"Film \"rgb\" \"string filename\" \"\"", "1:30", "filename is empty"},
+        {"Film \"rgb\" \"float cropwindow\" [.5 .5 0 1]", "1:1", "cropwindow [0.5 0.5 0 1] holds no pixel"},
+        {"Film \"rgb\" \"float cropwindow\" [.6 .5 0 1]", "1:1", "holds no pixel"},
+        {"Film \"rgb\" \"float cropwindow\" [0 1 -.1 1]", "1:36", "is -0.1; supported: in [0, 1]"},
+        {"Film \"rgb\" \"integer xresolution\" 2 \"float cropwindow\" [.1 .2 0 1]", "1:1", "holds no pixel of 2 x 720"},
+        {"Film \"rgb\" \"float diagonal\" 35", "1:12", "unknown parameter \"diagonal\""},
+        {"Sampler \"halton\" \"integer pixelsamples\" 0", "1:41", "is 0; supported: in [1, 1048576]"},
+        {"Sampler \"halton\" \"integer seed\" -1", "1:33", "is -1; supported: in [0, 2147483647]"},
+        {"Sampler \"halton\" \"float pixelsamples\" 1", "1:18", "has type float; supported: integer"},
+        {"Integrator \"path\"", "1:12", "unknown integrator \"path\"; supported: directlighting"},
+        {"Integrator \"directlighting\" \"integer maxdepth\" 0", "1:48", "supported: in [1, "},
+        {"Integrator \"directlighting\" \"string strategy\" \"all\"", "1:29", "supported: integer maxdepth"},
+    });
+}
+
+TEST(Malformed, MaterialsAndTextures) {
+    expectAll({
+        {"WorldBegin Material \"mirror\"", "1:21", "unknown material \"mirror\"; supported: matte, diffuse"},
+        {"WorldBegin Material \"matte\" \"rgb Kd\" [0 0 1.5]", "1:43", "is 1.5; supported: in [0, 1]"},
+        {"WorldBegin Material \"matte\" \"rgb Kd\" [0 0 -1]", "1:43", "is -1; supported: in [0, 1]"},
+        {"WorldBegin Material \"matte\" \"float sigma\" 20", "1:43", "parameter \"sigma\" is 20"},
+        {"WorldBegin Material \"matte\" \"rgb Kd\" [0 0 0] \"rgb reflectance\" [0 0 0]", "1:46", "give one"},
+        {"WorldBegin Material \"matte\" \"texture Kd\" \"none\"", "1:42", "undefined texture \"none\""},
+        {"WorldBegin Material \"matte\" \"texture Kd\" [\"a\" \"b\"]", "1:29", "takes 1 value, found 2"},
+        {"WorldBegin NamedMaterial \"none\"", "1:26", "undefined material \"none\""},
+        {"WorldBegin MakeNamedMaterial \"a\"", "1:12", "lacks \"string type\"; supported: matte, diffuse"},
+        {"WorldBegin MakeNamedMaterial \"a\" \"string type\" \"glass\"", "1:48", "unknown type \"glass\""},
+        {"WorldBegin MakeNamedMaterial \"a\" \"string type\" \"matte\" MakeNamedMaterial \"a\" \"string type\" "
+         "\"matte\"",
+         "1:74", "material \"a\" is defined twice"},
+        {"WorldBegin Texture \"t\" \"float\" \"constant\"", "1:24", "unknown texture type \"float\"; supported: color"},
+        {"WorldBegin Texture \"t\" \"color\" \"imagemap\"", "1:32", "supported: constant, heightramp"},
+        {"WorldBegin Texture \"t\" \"color\" \"constant\" \"float value\" 1", "1:43", "has type float; supported: rgb"},
+        {"WorldBegin Texture \"t\" \"color\" \"heightramp\" \"string ramp\" \"jet\"", "1:59",
+         "unknown ramp \"jet\"; supported: terrain, viridis, geoid, grey"},
+        {"WorldBegin Texture \"t\" \"color\" \"constant\" Texture \"t\" \"color\" \"constant\"", "1:51",
+         "texture \"t\" is defined twice"},
+        {"WorldBegin Texture \"h\" \"color\" \"heightramp\" Material \"matte\" \"texture Kd\" \"h\"\nShape \"disk\"",
+         "2:1", "a disk has not; supported on: displacedsphere"},
+    });
+}
+
+TEST(Malformed, LightsAndShapes) {
+    expectAll({
+        {"WorldBegin LightSource \"spot\"", "1:24", "unknown light \"spot\"; supported: distant, point"},
+        {"WorldBegin LightSource \"distant\" \"point to\" [0 0 0]", "1:12", "no direction"},
+        {"WorldBegin Scale 1 1 0 LightSource \"distant\"", "1:24", "no direction"},
+        {"WorldBegin LightSource \"point\" \"rgb I\" [1 -2 3]", "1:43", "is -2; supported: at least 0"},
+        {"WorldBegin LightSource \"point\" \"float scale\" -1", "1:46", "is -1; supported: at least 0"},
+        {"WorldBegin LightSource \"point\" \"rgb I\" [1e300 0 0] \"float scale\" 1e300", "1:12",
+         "I times scale overflows"},
+        {"WorldBegin Scale 1e300 1 1 LightSource \"point\" \"point from\" [1e300 0 0]", "1:28", "position overflows"},
+        {"WorldBegin Shape \"cone\"", "1:18", "unknown shape \"cone\"; supported: displacedsphere, sphere, disk"},
+        {"WorldBegin Shape \"sphere\" \"float radius\" 0", "1:42", "is 0; supported: greater than 0"},
+        {"WorldBegin Shape \"sphere\" \"float radius\" -1", "1:42", "is -1; supported: greater than 0"},
+        {"WorldBegin Shape \"sphere\" \"float phimax\" 90", "1:27", "supported: float radius"},
+        {"WorldBegin Shape \"disk\" \"float innerradius\" 1", "1:12", "innerradius 1 is not below the radius 1"},
+        {"WorldBegin Shape \"disk\" \"float innerradius\" -1", "1:45", "at least 0"},
+        {"WorldBegin Shape \"displacedsphere\" \"float radius\" 0", "1:51", "greater than 0"},
+        {"WorldBegin Shape \"displacedsphere\" \"string filter\" \"bspline\"", "1:52", "unknown filter \"bspline\""},
+        {"WorldBegin Shape \"displacedsphere\" \"string registration\" \"pixel\"", "1:58",
+         "supported: texel, gridline"},
+        {"WorldBegin Shape \"displacedsphere\" \"float lonorigin\" 361", "1:54", "in [-360, 360]"},
+        {"WorldBegin Shape \"displacedsphere\" \"string displacementmap\" \"\"", "1:61", "name is empty"},
+        {"WorldBegin Shape \"displacedsphere\" \"float maxdispl\" 1 \"float heightscale\" 1", "1:12",
+         "exclude each other"},
+        {"WorldBegin Shape \"displacedsphere\" \"float heightmin\" 3 \"float heightmax\" 3", "1:12",
+         "heightmin equals heightmax"},
+        {"WorldBegin Shape \"displacedsphere\" \"float blur\" 1", "1:36", "unknown parameter \"blur\""},
+    });
+}
+
+}  // namespace
+}  // namespace dsphere

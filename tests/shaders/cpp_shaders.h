@@ -1,0 +1,38 @@
+#pragma once
+
+// The shaders' pure functions compiled as C++, once with real = float and once with real = double. A failure is then
+// told apart: reference against glsl64 (the algorithm), glsl64 against glsl32 (precision), glsl32 against the device.
+
+#include "shaders/layout.h"
+
+#include "surface/bounds.h"
+#include "surface/nodes.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace dsphere::test {
+
+/// What the shaders fetch from images on the device. Lookups read the one that the calling thread has made current.
+struct Resources {
+    const NodeGrid* nodes = nullptr;
+    const Bounds* bounds = nullptr;
+    std::vector<glm::dvec4> longitude_edges, colatitude_edges;
+};
+
+extern thread_local const Resources* current_resources;
+
+}  // namespace dsphere::test
+
+#define GLSL_NAMESPACE glsl32
+#define GLSL_REAL float
+#include "tests/shaders/cpp_shaders.inl"
+#undef GLSL_NAMESPACE
+#undef GLSL_REAL
+
+#define GLSL_NAMESPACE glsl64
+#define GLSL_REAL double
+#include "tests/shaders/cpp_shaders.inl"
+#undef GLSL_NAMESPACE
+#undef GLSL_REAL

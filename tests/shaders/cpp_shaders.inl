@@ -1,0 +1,32 @@
+// Included once for each GLSL_REAL: see cpp_shaders.h.
+
+#define INOUT(T) T&
+#define precise
+
+namespace dsphere::test::GLSL_NAMESPACE {
+
+using namespace glm;
+using namespace dsphere::layout;
+using real = GLSL_REAL;
+using vec2 = glm::tvec2<real>;
+using vec3 = glm::tvec3<real>;
+using vec4 = glm::tvec4<real>;
+
+inline real heightAt(const MapData&, int column, int row) {
+    return real(current_resources->nodes->row(row)[column]);
+}
+inline real boundAt(const MapData&, int face, int level, int i, int j) {
+    return real(current_resources->bounds->at(face, level, i, j));
+}
+inline vec4 edgesAt(int x, int y) {
+    return vec4((y == 0 ? current_resources->longitude_edges : current_resources->colatitude_edges)[std::size_t(x)]);
+}
+
+#include "shaders/numeric.glsl"
+#include "shaders/surface.glsl"
+#include "shaders/march.glsl"
+
+}  // namespace dsphere::test::GLSL_NAMESPACE
+
+#undef INOUT
+#undef precise
