@@ -23,7 +23,7 @@ using uint = std::uint32_t;
 #define BINDING_RAMPS 3
 #define BINDING_HEIGHTS 4  // r32f array: stored map values, pole rows included
 #define BINDING_BOUNDS 5   // r32f array: squared radii, the cube-map pyramids
-#define BINDING_EDGES 6    // rgba32f: sine and cosine of each cell's two edges
+#define BINDING_EDGES 6    // rgba32f: sine and cosine of each cell's west (north) edge, as 12 leading bits and rest
 #define BINDING_FILM 7     // r32ui array: one layer a plane (probe.comp: the rays)
 #define BINDING_HITS 8     // probe.comp: the answers
 
@@ -84,21 +84,22 @@ using uint = std::uint32_t;
 #define RAMP_POINTS 17  // control points of a colour ramp, at equal distances
 
 struct ObjectData {
-    // Camera ray of raster position (x, y): d' = direction_0 + X direction_x + Y direction_y, X = x - anchor_x,
-    // Y = y - anchor_y; its moment m' = o x d' likewise; .w of the direction rows: o . d'. Object space, units of R.
-    vec4 direction_0, direction_x, direction_y;
-    vec4 moment_0, moment_x, moment_y;
+    // Camera ray of raster position (x, y), object space in units of R: it passes through the point P = point_0 + X
+    // point_x + Y point_y and has the direction d' = direction_0 + X direction_x + Y direction_y, X = x - anchor_x, Y =
+    // y - anchor_y. The camera is at P - direction_0.w d'. Each value is the sum of its row and the _lo row after it;
+    // the steps of X and Y have 12 leading bits.
+    vec4 point_0, point_0_lo, point_x, point_x_lo, point_y, point_y_lo;
+    vec4 direction_0, direction_0_lo, direction_x, direction_x_lo, direction_y, direction_y_lo;
     vec4 to_object_x, to_object_y, to_object_z;  // rows, world -> object in units of R
     vec4 to_world_x, to_world_y, to_world_z;     // rows, object in units of R -> world
     vec4 from_camera;                            // world: the object's centre seen from the camera
     vec4 albedo;                                 // rgb; of a constant texture
     float anchor_x, anchor_y;                    // raster
-    float base, scale;                           // r = base + scale * stored value, units of R
+    float base, base_lo, scale;                  // r = base + base_lo + scale * stored value, units of R
     float ramp_offset, ramp_scale;               // h = ramp_offset + ramp_scale * stored value
     float shell_squared;                         // of a sphere around everything, rounded outward
     float inner_squared;                         // disk: the squared inner radius
     float offset;                                // e: start of secondary rays above the hit, units of R
-    float pad0;
     int kind, ramp;                              // KIND_; index of the ramp, -1: none
 };
 
@@ -115,9 +116,10 @@ struct MapData {
     int caps;               // 1: the first and last rows are half as high (texel registration)
     float columns_per_turn, first_column;  // column of longitude phi = phi / 2pi * columns_per_turn - first_column
     float cells_per_radian_u, cells_per_radian_v;
-    float tan_width, tan_height;  // tangents of a cell's angular size
-    float cap_shift;              // node row of colatitude theta = theta * cells_per_radian_v + cap_shift
-    float pad0, pad1, pad2;
+    float cap_shift;  // node row of colatitude theta = theta * cells_per_radian_v + cap_shift
+    // Of a cell's angular size; versin = 1 - cos; _cap: of the height of the rows that touch a pole.
+    float tan_width, tan_height, sin_width, versin_width, sin_height, versin_height, sin_cap, versin_cap;
+    float pad0;
 };
 
 struct RenderParams {
@@ -128,26 +130,27 @@ struct RenderParams {
     uint seed;
 };
 
-// A ray in the object space of object 0, units of R: any length of direction; .w: o . d. moment.w: end of the ray as
-// its distance from the point nearest the centre. flags: 1 for a secondary ray.
+// A ray in the object space of object 0, units of R: a point and a direction of any length, each a row and its _lo row.
+// point.w: the ray starts this many directions before the point; direction.w: its length from there, in units of R.
+// flags: 1 for a secondary ray.
 struct ProbeRay {
-    vec4 direction, moment;
+    vec4 point, point_lo, direction, direction_lo;
     uint flags, pad0, pad1, pad2;
 };
 
 struct ProbeHit {
-    vec4 position;  // object space; .w: its distance along the ray from the point nearest the centre
+    vec4 position;  // object space; .w: its distance along the ray from the query's point
     vec4 normal;    // unit; .w: residual
     uint flags;     // bit 0: hit, 1: inside, 2: exhausted
     uint steps, pad0, pad1;
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(ProbeRay) == 48);
+static_assert(sizeof(ProbeRay) == 80);
 static_assert(sizeof(ProbeHit) == 48);
-static_assert(sizeof(ObjectData) == 14 * 16 + 12 * 4);
+static_assert(sizeof(ObjectData) == 20 * 16 + 12 * 4);
 static_assert(sizeof(LightData) == 32);
-static_assert(sizeof(MapData) == 20 * 4);
+static_assert(sizeof(MapData) == 24 * 4);
 static_assert(sizeof(RenderParams) == 32);
 }  // namespace dsphere::layout
 #endif

@@ -1,28 +1,7 @@
 // The exact marcher: first hit of a ray with the displaced sphere, in three steps. Traverse skips cells of a cube-map
-// pyramid of height maxima until the ray dips below one at the finest level; walk goes through the map's own cells
-// there and finds the first root along each chord; refine makes that root a correctly rounded one.
-// Object space, units of R. Expects surface.glsl and the resource function boundAt(map, face, level, i, j).
-
-// p(s) = c + s d, d unit, c the point closest to the centre: |p|^2 = |c|^2 + s^2, free of cancellation at any distance.
-struct Ray {
-    vec3 c, d;
-    real c2;              // |c|^2
-    real s_min, s_max;
-    bool may_start_inside;  // camera rays: a start inside the solid is a hit; secondary rays: only going in is
-};
-
-// The refined hit.
-struct Crossing {
-    real s;
-    vec3 p, gradient;  // gradient of f = |p| - r: its direction is the normal
-    PatchPoint at;
-};
-
-// A chord of this share of the distance to the axis (or the centre) is a parabola within 1e-7 of the surface.
-const real kChordShare = real(0.02);
-const real kShortestChord = real(2.5e-7);
-// How far from 0 the parabola's verdict is trusted; the contract excuses 1e-6.
-const real kTrust = real(1.5e-7);
+// pyramid of height maxima until the ray dips below one at the finest level; walk (walk.glsl) goes through the map's own
+// cells there and finds the first root along each chord; refine polishes it. Object space, units of R. Expects walk.glsl
+// and the resource function boundAt(map, face, level, i, j).
 
 // A line in the gnomonic coordinates of one cube face: a = (ca + s da) / (cm + s dm), b likewise. Face axis k = 0, 1, 2
 // (+ sign), a on axis k + 1, b on axis k + 2.
@@ -129,153 +108,11 @@ void traverseStep(INOUT(Cursor) at, FaceRay face, Ray ray, MapData map, real s_e
     at.skip = false;
 }
 
-// What does not change along a ray through the map's cells.
-struct WalkPlan {
-    bool east;        // longitude grows along the ray
-    real s_turn;      // where the latitude is extreme
-    real across_axis; // share of d across the axis: how fast the ray can approach it
-};
-
-WalkPlan planWalk(Ray ray) {
-    WalkPlan plan;
-    plan.east = ray.c.z * ray.d.x - ray.c.x * ray.d.z > real(0);
-    real rise = ray.d.y * ray.c2;
-    plan.s_turn = ray.c.y != real(0) ? clamp(rise / ray.c.y, -kInfinity, kInfinity)
-                                     : (rise > real(0) ? kInfinity : -kInfinity);
-    plan.across_axis = sqrt(max(real(1) - ray.d.y * ray.d.y, real(1e-12)));
-    return plan;
-}
-
-// Where the ray meets the meridian plane of an edge that lies ahead of it: linear in s.
-real meridianCrossing(Ray ray, Patch quad, bool east, real s) {
-    real side = east ? real(1) : real(-1);
-    real sin_e = side * (east ? quad.lon.z : quad.lon.x);
-    real cos_e = side * (east ? quad.lon.w : quad.lon.y);
-    real rate = ray.d.x * cos_e - ray.d.z * sin_e;
-    real start = ray.c.x * cos_e - ray.c.z * sin_e;
-    return rate > real(0) ? max(s, -start / rate) : kInfinity;
-}
-
-// Where the ray meets the cone of a parallel, y = |p| cos_e, going south or north: with E^2 = c_y^2 + |c|^2 (d_y^2 -
-// cos_e^2), s = (c_y d_y +- cos_e E) / (cos_e^2 - d_y^2), + southward; the conjugate form where that would cancel.
-real parallelCrossing(Ray ray, real cos_e, bool south, real s) {
-    real slack = (cos_e - ray.d.y) * (cos_e + ray.d.y);
-    real square = ray.c.y * ray.c.y - ray.c2 * slack;
-    real swing = cos_e * sqrt(max(square, real(0)));
-    swing = south ? swing : -swing;
-    real tilt = ray.c.y * ray.d.y;
-    real crossing = tilt * swing >= real(0) ? (tilt + swing) / slack
-                                            : (ray.c2 * cos_e * cos_e - ray.c.y * ray.c.y) / (tilt - swing);
-    // The other nappe, or a crossing far behind, is none; rounding may put a true one a little behind.
-    real height = ray.c.y + crossing * ray.d.y;
-    bool real_one = square > real(0) && height * (cos_e < real(0) ? real(-1) : real(1)) >= real(-1e-6) &&
-                    crossing >= s - real(0.01) && crossing < kInfinity;
-    return real_one ? max(s, crossing) : kInfinity;
-}
-
-// One chord of a cell as a parabola through its ends and middle.
-struct Chord {
-    bool hit, unsure;
-    real fraction;  // of the chord, where it hits
-};
-
-// First root on a chord where f(0) = g0 >= 0. The parabola misses the surface by the product of the patch's twist and
-// the bends of fu and fv along the chord; where that could change the verdict the chord is unsure and must be halved.
-Chord solveChord(PatchPoint start, PatchPoint middle, PatchPoint end, real twist) {
-    real bend = real(2) * (start.g + end.g - real(2) * middle.g);
-    real slope = end.g - start.g - bend;
-    real bend_u = real(2) * (start.fu + end.fu - real(2) * middle.fu);
-    real bend_v = real(2) * (start.fv + end.fv - real(2) * middle.fv);
-    real slope_u = end.fu - start.fu - bend_u;
-    real slope_v = end.fv - start.fv - bend_v;
-    real miss = abs(twist) * (real(0.05) * abs(slope_u * bend_v + slope_v * bend_u) + real(0.1) * abs(bend_u * bend_v));
-
-    real lowest_at = slope < real(0) && bend > real(0) ? min(real(-0.5) * slope / bend, real(1)) : real(1);
-    real lowest = min(start.g + lowest_at * (slope + lowest_at * bend), end.g);
-    Chord chord;
-    chord.hit = lowest <= real(0);
-    chord.unsure = miss > kTrust && lowest <= miss;
-    chord.fraction = clamp(firstRoot(start.g, slope, bend), real(0), real(1));
-    return chord;
-}
-
-// Walk of the map's cells on [s, leaf_end], where the ray is below the leaf's bound.
-struct Walk {
-    bool hit, inside, going, exhausted;
-    ivec2 cell;
-    real s;           // where the walk stands; after a hit, the root
-    real low, s_far;  // ends of the chord that holds the root
-    real longest;     // chord length limit: halved where a parabola was unsure
-    PatchPoint here;
-    int steps;  // height and bound fetches of the whole march
-};
-
-void walkStep(INOUT(Walk) walk, WalkPlan plan, Ray ray, MapData map, real base, real scale, real leaf_end) {
-    Patch quad = fetchPatch(map, base, scale, walk.cell);
-    bool before = walk.s < plan.s_turn;
-    bool south = before != (ray.c.y >= real(0));
-    real s_u = meridianCrossing(ray, quad, plan.east, walk.s);
-    bool pole_edge = south ? walk.cell.y == map.rows - 1 : walk.cell.y == 0;
-    real s_v = pole_edge ? kInfinity : parallelCrossing(ray, south ? quad.lat.w : quad.lat.y, south, walk.s);
-    vec3 p = ray.c + walk.s * ray.d;
-    real rho = sqrt(p.x * p.x + p.z * p.z);
-    real radius = sqrt(ray.c2 + walk.s * walk.s);
-    real limit = min(kChordShare * min(rho / plan.across_axis, radius), walk.longest);
-    real s_far = min(min(s_u, s_v), min(leaf_end, walk.s + max(limit, kShortestChord)));
-    s_far = before ? min(s_far, plan.s_turn) : s_far;
-
-    real s_mid = real(0.5) * (walk.s + s_far);
-    PatchPoint middle = patchPoint(map, quad, ray.c + s_mid * ray.d, sqrt(ray.c2 + s_mid * s_mid));
-    PatchPoint end = patchPoint(map, quad, ray.c + s_far * ray.d, sqrt(ray.c2 + s_far * s_far));
-    Chord chord = solveChord(walk.here, middle, end, quad.d);
-    real length_of_chord = s_far - walk.s;
-    if (chord.unsure && length_of_chord > real(4) * kShortestChord) {
-        walk.longest = real(0.5) * length_of_chord;
-    } else if (chord.hit) {
-        walk.hit = true;
-        walk.going = false;
-        walk.low = walk.s;
-        walk.s_far = s_far;
-        walk.s += chord.fraction * length_of_chord;
-    } else {
-        bool crosses_u = s_u <= s_far;
-        bool crosses_v = s_v <= s_far;
-        walk.here = end;
-        walk.here.g = max(end.g, real(0));
-        walk.here.fu -= crosses_u ? (plan.east ? real(1) : real(-1)) : real(0);
-        walk.here.fv -= crosses_v ? (south ? real(1) : real(-1)) : real(0);
-        walk.cell.x = wrapColumn(walk.cell.x + (crosses_u ? (plan.east ? 1 : -1) : 0), map.width);
-        walk.cell.y += crosses_v ? (south ? 1 : -1) : 0;
-        walk.s = s_far;
-        walk.longest = real(2) * max(walk.longest, kShortestChord);
-        walk.going = s_far < leaf_end;
-    }
-}
-
-// Enters a leaf: finds the cell, and what the ray's own start means.
-void startWalk(INOUT(Walk) walk, Ray ray, MapData map, real base, real scale, Cursor at) {
-    vec3 p = ray.c + at.s * ray.d;
-    walk.cell = locateCell(map, p);
-    walk.here = patchPoint(map, fetchPatch(map, base, scale, walk.cell), p, sqrt(ray.c2 + at.s * at.s));
-    bool at_start = at.s <= ray.s_min;
-    // The ray came from above a bound, so only its own start can lie deeper inside than rounding.
-    walk.hit = walk.here.g <= real(0) && !(at_start && !ray.may_start_inside);
-    walk.inside = walk.hit && at_start;
-    walk.here.g = max(walk.here.g, real(0));
-    walk.going = !walk.hit;
-    walk.s = at.s;
-    walk.low = at.s;
-    walk.s_far = at.leaf_end;
-    walk.longest = kInfinity;
-}
-
-// Searches the whole ray; walk.hit, .inside, .cell and .s tell the answer, to be refined.
-Walk march(Ray ray, MapData map, real base, real scale, real shell_squared) {
+// Searches the whole ray; walk.hit, .inside, .frame and .sigma tell the answer, to be refined.
+Walk march(Ray ray, MapData map, Pair base, real scale, real shell_squared) {
     Walk walk;
     walk.hit = false;
     walk.inside = false;
-    walk.exhausted = false;
-    walk.steps = 0;
     real margin = shell_squared - ray.c2;
     real half_chord = sqrt(max(margin, real(0)));
     real s_end = min(ray.s_max, half_chord);
@@ -307,10 +144,9 @@ Walk march(Ray ray, MapData map, real base, real scale, real shell_squared) {
             steps += 1;
         }
         if (at.leaf) {
-            startWalk(walk, ray, map, base, scale, at);
-            steps += 4;
+            walk = startWalk(ray, map, plan, base, at.s, at.leaf_end);
             while (walk.going && steps < MAX_STEPS) {
-                walkStep(walk, plan, ray, map, base, scale, at.leaf_end);
+                walkStep(walk, plan, ray, map, scale);
                 steps += 4;
             }
             at.s = at.leaf_end;
@@ -322,21 +158,4 @@ Walk march(Ray ray, MapData map, real base, real scale, real shell_squared) {
     walk.steps = steps;
     walk.exhausted = steps >= MAX_STEPS;
     return walk;
-}
-
-// Newton on the true f, kept inside the chord; its last gradient is the normal's direction.
-Crossing refine(Ray ray, MapData map, real base, real scale, Walk walk) {
-    Patch quad = fetchPatch(map, base, scale, walk.cell);
-    Crossing crossing;
-    crossing.s = walk.s;
-    for (int i = 0; i < 3; ++i) {
-        crossing.p = ray.c + crossing.s * ray.d;
-        crossing.at = patchPoint(map, quad, crossing.p, length(crossing.p));
-        crossing.gradient = patchGradient(map, quad, crossing.at, crossing.p);
-        real rate = dot(crossing.gradient, ray.d);
-        bool steep = abs(rate) > real(1e-6) * length(crossing.gradient);
-        real stride = steep && !walk.inside && i < 2 ? crossing.at.g / rate : real(0);
-        crossing.s = clamp(crossing.s - stride, walk.low, walk.s_far);
-    }
-    return crossing;
 }

@@ -6,9 +6,15 @@ const real kNaiveThreshold = real(3e-6);
 const int kNaiveSteps = 4000;
 const real kNaiveDifference = real(1e-3);
 
+// |p| - r with the patch found from a global u and v in float.
 real naiveDistance(ObjectData object, MapData map, vec3 p) {
-    Patch quad = fetchPatch(map, real(object.base), real(object.scale), locateCell(map, p));
-    return patchPoint(map, quad, p, length(p)).g;
+    ivec2 cell = locateCell(map, p);
+    real column = atan2Precise(p.x, p.z) * (real(0.5) / kPi) * real(map.columns_per_turn) - real(map.first_column);
+    real theta = atan2Precise(sqrt(p.x * p.x + p.z * p.z), p.y);
+    real north = cell.y == 0 ? real(0) : (real(cell.y) - real(map.cap_shift)) / real(map.cells_per_radian_v);
+    real fv = clamp((theta - north) * cellsPerRadianV(map, cell.y), real(0), real(1));
+    real r = real(object.base) + patchValue(fetchPatch(map, real(object.scale), cell), column - floor(column), fv);
+    return length(p) - r;
 }
 
 vec3 naiveSurface(ObjectData object, MapData map, vec3 direction) {

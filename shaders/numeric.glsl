@@ -1,8 +1,10 @@
-// Elementary functions that the specification leaves too loose (atan: 4096 ulp). Compiled as GLSL and, with `real` a
-// float or a double, as C++. All literals go through real(): a bare 1.0 is a double in C++ and a float in GLSL.
+// Elementary functions that the specification leaves too loose (atan: 4096 ulp), and float arithmetic with more than 24
+// bits. Compiled as GLSL and, with `real` a float or a double, as C++. All literals go through real(): a bare 1.0 is a
+// double in C++ and a float in GLSL.
 
 const real kPi = real(3.14159265358979323846);
 const real kInfinity = real(1e30);
+const real kTiny = real(1e-30);
 
 // Arc tangent of |q| <= 0.42 (one reduction step below pi/8), Cephes atanf: 2 ulp in float.
 real atanReduced(real q) {
@@ -27,15 +29,82 @@ real atan2Precise(real y, real x) {
     bool upper = small_side > real(0.41421356237) * big;
     real numerator = upper ? small_side - big : small_side;
     real denominator = upper ? small_side + big : big;
-    real angle = atanReduced(numerator / max(denominator, real(1e-30)));
+    real angle = atanReduced(numerator / max(denominator, kTiny));
     angle += upper ? real(0.25) * kPi : real(0);
     angle = ay > ax ? real(0.5) * kPi - angle : angle;
     angle = x < real(0) ? kPi - angle : angle;
     return y < real(0) ? -angle : angle;
 }
 
-// First positive root of g0 + b t + a t^2 where g0 > 0, free of cancellation; the caller knows that one exists.
+// First positive root of g0 + b t + a t^2 where g0 >= 0, free of cancellation; the caller knows that one exists.
 real firstRoot(real g0, real b, real a) {
     real root = sqrt(max(b * b - real(4) * a * g0, real(0)));
-    return b <= real(0) ? real(2) * g0 / max(root - b, real(1e-30)) : (b + root) / max(real(-2) * a, real(1e-30));
+    return b <= real(0) ? real(2) * g0 / max(root - b, kTiny) : (b + root) / max(real(-2) * a, kTiny);
+}
+
+// A value as hi + lo, lo far smaller: nearly twice the bits of a real.
+struct Pair {
+    real hi, lo;
+};
+
+Pair makePair(real hi, real lo) {
+    Pair pair;
+    pair.hi = hi;
+    pair.lo = lo;
+    return pair;
+}
+
+// hi + lo = a + b exactly (Knuth's two-sum), plus rest.
+Pair exactSum(real a, real b, real rest) {
+    precise real sum = a + b;
+    precise real b_part = sum - a;
+    precise real error = (a - (sum - b_part)) + (b - b_part);
+    return makePair(sum, error + rest);
+}
+
+// The same value with hi the nearest real to it.
+Pair rounded(Pair pair) {
+    return exactSum(pair.hi, pair.lo, real(0));
+}
+
+// base + x step_x + y step_y for whole numbers x and y below 2^12, whose products with the steps' hi (12 bits) are exact.
+Pair pairLinear(Pair base, real x, Pair step_x, real y, Pair step_y) {
+    precise real x_part = x * step_x.hi;
+    precise real y_part = y * step_y.hi;
+    Pair sum = exactSum(base.hi, x_part, base.lo);
+    precise real rest = sum.lo + (x * step_x.lo + y * step_y.lo);
+    return rounded(exactSum(sum.hi, y_part, rest));
+}
+
+// (a, b) turned by the angle of sine and cosine e: first = a cos - b sin, second = a sin + b cos. e holds sine and cosine
+// as leading 12 bits (x, y) and rest (z, w), so that the leading products are exact and `first`, which is small where the
+// angle is nearly that of (a, b), has an error of its own size's rounding, not of a's.
+struct Turned {
+    real first;
+    Pair second;
+};
+
+Turned turnPair(Pair a, Pair b, vec4 e) {
+    real a1 = leadingBits(a.hi);
+    real b1 = leadingBits(b.hi);
+    precise real a2 = (a.hi - a1) + a.lo;
+    precise real b2 = (b.hi - b1) + b.lo;
+    precise real sin_e = e.x + e.z;
+    precise real cos_e = e.y + e.w;
+    precise real a_cos = a1 * e.y;
+    precise real b_sin = b1 * e.x;
+    precise real a_sin = a1 * e.x;
+    precise real b_cos = b1 * e.y;
+    precise real first_rest = (a1 * e.w + a2 * cos_e) - (b1 * e.z + b2 * sin_e);
+    precise real second_rest = (a1 * e.z + a2 * sin_e) + (b1 * e.w + b2 * cos_e);
+    Turned turned;
+    precise real first = (a_cos - b_sin) + first_rest;
+    turned.first = first;
+    turned.second = exactSum(a_sin, b_cos, second_rest);
+    return turned;
+}
+
+// (x, y) turned by a small angle given as sine and versine (1 - cosine): no rounding of the cosine piles up.
+vec2 turnSmall(vec2 p, real sine, real versine) {
+    return vec2(p.x - (p.x * versine + p.y * sine), p.y + (p.x * sine - p.y * versine));
 }

@@ -1,35 +1,42 @@
 // One object's ray and hit: from camera or surface to object space, and back to world. Expects march.glsl, naive.glsl
 // and the constants kMarcher and kKinds (a bit per KIND_ of the scene: what no object needs is compiled away).
 
-// The ray of unit direction d (any length) and moment m = o x d.
-Ray momentRay(vec3 direction, vec3 moment, real along) {
-    real inverse_length = real(1) / length(direction);
-    Ray ray;
-    ray.d = direction * inverse_length;
-    vec3 m = moment * inverse_length;
-    precise vec3 c = cross(ray.d, m);
-    ray.c = c;
-    ray.c2 = dot(c, c);
-    ray.s_min = along * inverse_length;
-    ray.s_max = kInfinity;
-    ray.may_start_inside = true;
-    return ray;
+// x and y count pixels from the object's anchor, to the pixel's centre; the jitter of a sample within the pixel needs no
+// more than a float's bits.
+Pair cameraValue(real base, real base_lo, real step_x, real step_x_lo, real step_y, real step_y_lo, vec2 pixel,
+                 vec2 jitter) {
+    real rest = base_lo + (jitter.x * step_x + jitter.y * step_y);
+    return pairLinear(makePair(base, rest), pixel.x, makePair(step_x, step_x_lo), pixel.y,
+                      makePair(step_y, step_y_lo));
 }
 
-// x and y count pixels from the object's anchor.
-Ray cameraRay(ObjectData object, real x, real y) {
-    precise vec4 direction = vec4(object.direction_0) + x * vec4(object.direction_x) + y * vec4(object.direction_y);
-    precise vec4 moment = vec4(object.moment_0) + x * vec4(object.moment_x) + y * vec4(object.moment_y);
-    return momentRay(vec3(direction), vec3(moment), direction.w);
+Ray cameraRay(ObjectData o, vec2 pixel, vec2 jitter) {
+    Line line;
+    line.x = cameraValue(o.point_0.x, o.point_0_lo.x, o.point_x.x, o.point_x_lo.x, o.point_y.x, o.point_y_lo.x, pixel,
+                         jitter);
+    line.y = cameraValue(o.point_0.y, o.point_0_lo.y, o.point_x.y, o.point_x_lo.y, o.point_y.y, o.point_y_lo.y, pixel,
+                         jitter);
+    line.z = cameraValue(o.point_0.z, o.point_0_lo.z, o.point_x.z, o.point_x_lo.z, o.point_y.z, o.point_y_lo.z, pixel,
+                         jitter);
+    line.dx = cameraValue(o.direction_0.x, o.direction_0_lo.x, o.direction_x.x, o.direction_x_lo.x, o.direction_y.x,
+                          o.direction_y_lo.x, pixel, jitter);
+    line.dy = cameraValue(o.direction_0.y, o.direction_0_lo.y, o.direction_x.y, o.direction_x_lo.y, o.direction_y.y,
+                          o.direction_y_lo.y, pixel, jitter);
+    line.dz = cameraValue(o.direction_0.z, o.direction_0_lo.z, o.direction_x.z, o.direction_x_lo.z, o.direction_y.z,
+                          o.direction_y_lo.z, pixel, jitter);
+    return makeRay(line, o.direction_0.w, kInfinity, true);
 }
 
 // From p towards p + offset, which ends it if `ends`.
 Ray secondaryRay(vec3 p, vec3 offset, bool ends) {
-    precise vec3 moment = cross(p, offset);
-    Ray ray = momentRay(offset, moment, dot(p, offset));
-    ray.s_max = ends ? ray.s_min + length(offset) : kInfinity;
-    ray.may_start_inside = false;
-    return ray;
+    Line line;
+    line.x = makePair(p.x, real(0));
+    line.y = makePair(p.y, real(0));
+    line.z = makePair(p.z, real(0));
+    line.dx = makePair(offset.x, real(0));
+    line.dy = makePair(offset.y, real(0));
+    line.dz = makePair(offset.z, real(0));
+    return makeRay(line, real(0), ends ? length(offset) : kInfinity, false);
 }
 
 vec3 rowsTimesPoint(vec4 x, vec4 y, vec4 z, vec3 p) {
@@ -91,19 +98,23 @@ ObjectHit hitRing(ObjectData object, Ray ray) {
     return hit;
 }
 
+Pair basePair(ObjectData object) {
+    return makePair(real(object.base), real(object.base_lo));
+}
+
 ObjectHit hitDisplaced(ObjectData object, MapData map, Ray ray) {
     ObjectHit hit = noHit();
-    Walk walk = march(ray, map, real(object.base), real(object.scale), real(object.shell_squared));
+    Walk walk = march(ray, map, basePair(object), real(object.scale), real(object.shell_squared));
     hit.hit = walk.hit;
     hit.inside = walk.inside;
     hit.exhausted = walk.exhausted;
     hit.steps = walk.steps;
     if (walk.hit) {
-        Crossing crossing = refine(ray, map, real(object.base), real(object.scale), walk);
+        Crossing crossing = refine(ray, map, real(object.scale), walk);
         hit.p = crossing.p;
         hit.n = normalize(crossing.gradient);
         hit.residual = crossing.at.g;
-        hit.stored = storedAt(map, walk.cell, crossing.at);
+        hit.stored = patchValue(fetchPatch(map, real(1), walk.frame.cell), crossing.at.fu, crossing.at.fv);
         hit.steps += 4;
     }
     return hit;
@@ -129,7 +140,7 @@ bool blocks(ObjectData object, MapData map, Ray ray) {
     bool blocked = false;
     if (sceneHas(KIND_DISPLACED) && object.kind == KIND_DISPLACED) {
         if (kMarcher == MARCHER_EXACT)
-            blocked = march(ray, map, real(object.base), real(object.scale), real(object.shell_squared)).hit;
+            blocked = march(ray, map, basePair(object), real(object.scale), real(object.shell_squared)).hit;
         if (kMarcher != MARCHER_EXACT) blocked = hitNaive(object, map, ray).hit;
     }
     if (sceneHas(KIND_SPHERE) && object.kind == KIND_SPHERE) blocked = hitUnitSphere(ray).hit;

@@ -59,7 +59,7 @@ void main() {
     ivec2 raster = pixel + ivec2(params.film_x, params.film_y);
     bool centre = params.sample_index < 0;
     vec2 jitter = centre ? vec2(0.0) : samplePosition(raster.x, raster.y, params.sample_index, params.seed);
-    SurfacePoint point = nearestHit(float(raster.x), float(raster.y), jitter);
+    SurfacePoint point = nearestHit(vec2(raster), jitter);
     putGeometry(pixel, point);
     if ((kPlanes & (kColourPlanes | (7u << PLANE_ALBEDO_R) | (1u << PLANE_LIT))) == 0u) return;
 

@@ -35,8 +35,16 @@ vec4 edgesAt(int x, int y) {
     return imageLoad(edges, ivec3(x, y, 0));
 }
 
+// The leading 12 bits of x; a product of two such values is exact.
+float leadingBits(float x) {
+    return uintBitsToFloat(floatBitsToUint(x) & 0xfffff000u);
+}
+
 #include "numeric.glsl"
 #include "surface.glsl"
+#include "ray.glsl"
+#include "frame.glsl"
+#include "walk.glsl"
 #include "march.glsl"
 #include "hit.glsl"
 #include "naive.glsl"

@@ -13,7 +13,7 @@ struct SurfacePoint {
     float residual;
 };
 
-SurfacePoint nearestHit(float raster_x, float raster_y, vec2 jitter) {
+SurfacePoint nearestHit(vec2 raster, vec2 jitter) {
     SurfacePoint best;
     best.hit = false;
     best.inside = false;
@@ -24,9 +24,8 @@ SurfacePoint nearestHit(float raster_x, float raster_y, vec2 jitter) {
     for (int k = 0; k < kObjectCount; ++k) {
         ObjectData object = objects[k];
         MapData map = maps[k];
-        float x = (raster_x - object.anchor_x) + jitter.x;
-        float y = (raster_y - object.anchor_y) + jitter.y;
-        ObjectHit hit = hitObject(object, map, cameraRay(object, x, y));
+        vec2 pixel = raster - vec2(object.anchor_x, object.anchor_y);
+        ObjectHit hit = hitObject(object, map, cameraRay(object, pixel, jitter));
         best.steps += hit.steps;
         best.exhausted = best.exhausted || hit.exhausted;
         float t = hit.inside ? 0.0 : cameraDistance(object, hit.p);

@@ -3,23 +3,31 @@
 #include "base/error.h"
 
 #include <fmt/ranges.h>
-
-#include <map>
+#include <unistd.h>
 
 namespace dsphere::cli {
 
 void addCommonOptions(CLI::App& command, CommonOptions& options) {
-    static const std::map<std::string, ProgressMode> modes = {
-        {"auto", ProgressMode::Auto}, {"always", ProgressMode::Always}, {"never", ProgressMode::Never}};
     command.add_option("--device", options.device, "Vulkan device: its index, a part of its name, or cpu")
         ->type_name("INDEX|NAME|cpu");
     command.add_flag("--validation", options.validation, "Run under the Vulkan validation layers; any message fails");
     command.add_flag("--json", options.json, "Print the result as JSON on standard output");
     command.add_flag("--quiet", options.quiet, "Print errors only");
     command.add_flag("--verbose", options.verbose, "Print more about maps, memory and timing");
-    command.add_option("--progress", options.progress, "Progress line: auto (on a terminal), always or never")
-        ->transform(CLI::CheckedTransformer(modes, CLI::ignore_case))
-        ->type_name("auto|always|never");
+    addChoice<ProgressMode>(
+        command, "--progress", options.progress,
+        {{"auto", ProgressMode::Auto}, {"always", ProgressMode::Always}, {"never", ProgressMode::Never}},
+        "Progress line: on a terminal (auto, the default), always or never", "auto|always|never");
+}
+
+void checkWritable(const std::filesystem::path& path) {
+    std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    if (!std::filesystem::is_directory(folder))
+        throwFailure("{}: the folder {} does not exist", path.string(), folder.string());
+    if (access(folder.c_str(), W_OK) != 0)
+        throwFailure("{}: the folder {} cannot be written to: {}", path.string(), folder.string(), lastSystemError());
+    if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
+        throwFailure("{}: exists and is not a regular file", path.string());
 }
 
 gpu::Device openDevice(const CommonOptions& options) {

@@ -3,9 +3,12 @@
 #include "cli/terminal.h"
 #include "gpu/device.h"
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 
 namespace dsphere::cli {
@@ -21,6 +24,22 @@ struct CommonOptions {
 using Action = std::function<int()>;
 
 void addCommonOptions(CLI::App& command, CommonOptions& options);
+
+/// An option that takes one of a few words, in any case; the help shows them as `words`.
+template <typename T>
+CLI::Option* addChoice(CLI::App& command, const std::string& name, T& value, const std::map<std::string, T>& choices,
+                       const std::string& help, const std::string& words) {
+    auto choose = [&value, name, choices, words](const std::string& given) {
+        auto found = choices.find(CLI::detail::to_lower(given));
+        if (found == choices.end())
+            throw CLI::ValidationError(name, fmt::format("'{}' is not one of {}", given, words));
+        value = found->second;
+    };
+    return command.add_option_function<std::string>(name, choose, help)->type_name(words);
+}
+
+/// Error (Failure) if no file could be made there, before any work is done for it.
+void checkWritable(const std::filesystem::path& path);
 
 /// The device that the options ask for.
 gpu::Device openDevice(const CommonOptions& options);

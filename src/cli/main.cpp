@@ -18,8 +18,9 @@ int run(int argc, char** argv) {
     CLI::App app("Ray-traces displacement-mapped spheres on a Vulkan device, exactly.", "dsphere");
     app.set_version_flag("--version", "dsphere " DSPHERE_VERSION);
     app.require_subcommand(1);
-    app.footer("Exit codes: 0 ok, 1 render or I/O failure, 2 usage, 3 invalid scene or map, 4 no usable device,\n"
-               "5 comparison failed, 130 interrupted, 143 terminated.");
+    app.footer(
+        "Exit codes: 0 ok, 1 render or I/O failure, 2 usage, 3 invalid scene or map, 4 no usable device,\n"
+        "5 comparison failed, 130 interrupted, 143 terminated.");
     Action action;
     addRender(app, action);
     addVerify(app, action);
@@ -27,7 +28,8 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? int(ExitCode::Ok) : int(ExitCode::Usage);
+        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+        throw Error(ExitCode::Usage, fmt::format("{}; see dsphere --help", error.what()));
     }
     catchSignals();
     return action();

@@ -65,9 +65,7 @@ std::uint32_t checkOutput(const RenderOptions& options, const std::filesystem::p
     if (samples < 0 || samples > 65536)
         throw Error(ExitCode::Usage, fmt::format("--spp: {} is outside 0 to 65536", samples));
     if (samples == 0 && !aovs) throw Error(ExitCode::Usage, "--spp 0 renders no colour, so it needs --aov");
-    std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    if (!std::filesystem::is_directory(folder))
-        throwFailure("{}: the folder {} does not exist", path.string(), folder.string());
+    checkWritable(path);
     return aovs;
 }
 
@@ -89,8 +87,10 @@ void report(const RenderOptions& options, const std::filesystem::path& path, con
     fmt::print(stderr, "picture  {}\ndevice   {} ({})\n", std::filesystem::absolute(path).string(), device.info().name,
                device.info().driver);
     fmt::print(stderr, "time     {:.2f} s in all, {:.3f} s on the device\n", seconds, stats.device_seconds);
-    fmt::print(stderr, "speed    {:.1f} million camera rays a second, with their shadow rays\n", rays_per_second * 1e-6);
-    if (options.common.verbose) fmt::print(stderr, "maps     {:.1f} MiB on the device\n", double(map_bytes) / 1048576.0);
+    fmt::print(stderr, "speed    {:.1f} million camera rays a second, with their shadow rays\n",
+               rays_per_second * 1e-6);
+    if (options.common.verbose)
+        fmt::print(stderr, "maps     {:.1f} MiB on the device\n", double(map_bytes) / 1048576.0);
 }
 
 int runRender(const RenderOptions& options) {
@@ -132,8 +132,10 @@ void addRender(CLI::App& app, Action& action) {
         ->type_name("FILE");
     command->add_option("--spp", options->scene.samples, "Samples a pixel; 0: only the --aov outputs");
     command->add_option("--seed", options->scene.seed, "Seed of the sample positions");
-    command->add_option("--aov", options->aov, "Further outputs into the .exr: all, or t,P,N,Ns,u,v,Albedo,id,lit,"
-                                               "steps,residual")
+    command
+        ->add_option("--aov", options->aov,
+                     "Further outputs into the .exr: all, or t,P,N,Ns,u,v,Albedo,id,lit,"
+                     "steps,residual")
         ->type_name("LIST");
     command->add_option("--exposure", options->exposure, "Stops to brighten a .png by");
     addCommonOptions(*command, options->common);

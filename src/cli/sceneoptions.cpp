@@ -1,10 +1,10 @@
 #include "cli/sceneoptions.h"
 
 #include "base/error.h"
+#include "cli/commands.h"
 #include "scene/parser.h"
 
 #include <algorithm>
-#include <map>
 
 namespace dsphere::cli {
 
@@ -29,27 +29,27 @@ void applyFilm(Film& film, const SceneOptions& options) {
     std::copy(options.crop.begin(), options.crop.end(), film.crop.begin());
     const auto& [x0, x1, y0, y1] = film.crop;
     if (!(x0 >= 0.0 && x0 < x1 && x1 <= 1.0 && y0 >= 0.0 && y0 < y1 && y1 <= 1.0))
-        throwUsage(fmt::format("--cropwindow: {},{},{},{}: expected 0 <= x0 < x1 <= 1 and 0 <= y0 < y1 <= 1", x0, x1,
-                               y0, y1));
+        throwUsage(
+            fmt::format("--cropwindow: {},{},{},{}: expected 0 <= x0 < x1 <= 1 and 0 <= y0 < y1 <= 1", x0, x1, y0, y1));
 }
 
 }  // namespace
 
 void addSceneOptions(CLI::App& command, SceneOptions& options) {
-    static const std::map<std::string, Marcher> marchers = {
-        {"exact", Marcher::Exact}, {"naive", Marcher::Naive}, {"naive-shell", Marcher::NaiveShell}};
     command.add_option("scene", options.scene, "Scene file (.pbrt), or - for standard input")->required();
     command.add_option("--resolution", options.resolution, "Film size in pixels")
-        ->expected(2)
+        ->type_size(2)
+        ->expected(1)
         ->delimiter(',')
         ->type_name("W,H");
     command.add_option("--cropwindow", options.crop, "Part of the film to render, as fractions, y downward")
-        ->expected(4)
+        ->type_size(4)
+        ->expected(1)
         ->delimiter(',')
         ->type_name("X0,X1,Y0,Y1");
-    command.add_option("--marcher", options.marcher, "How to find hits: exact, naive or naive-shell (baselines)")
-        ->transform(CLI::CheckedTransformer(marchers, CLI::ignore_case))
-        ->type_name("exact|naive|naive-shell");
+    addChoice<Marcher>(command, "--marcher", options.marcher,
+                       {{"exact", Marcher::Exact}, {"naive", Marcher::Naive}, {"naive-shell", Marcher::NaiveShell}},
+                       "How to find hits: exact (the default), or a baseline", "exact|naive|naive-shell");
     command.add_flag("--quick", options.quick, "A quarter of the resolution and one sample a pixel");
 }
 

@@ -59,7 +59,8 @@ int caughtSignal() {
 }
 
 void printError(const std::string& message) {
-    bool colour = onTerminal() && !std::getenv("NO_COLOR");
+    const char* no_colour = std::getenv("NO_COLOR");
+    bool colour = onTerminal() && !(no_colour && *no_colour);
     fmt::print(stderr, "dsphere: {}error:{} {}\n", colour ? "\033[1;31m" : "", colour ? "\033[0m" : "", message);
 }
 

@@ -30,7 +30,8 @@ void catchSignals();
 /// The signal that came, or 0.
 int caughtSignal();
 
-/// One line "dsphere: error: message" on standard error, coloured on a terminal unless NO_COLOR is set.
+/// One line "dsphere: error: message" on standard error, coloured on a terminal unless NO_COLOR is set and not empty
+/// (no-color.org).
 void printError(const std::string& message);
 
 }  // namespace dsphere::cli

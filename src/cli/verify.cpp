@@ -54,6 +54,7 @@ void printFaults(const verify::Report& report, const Image& image) {
 
 int runVerify(const VerifyOptions& options) {
     Scene scene = loadScene(options.scene);
+    checkWritable(options.outfile + "-device.exr");
     SceneMaps maps = loadSceneMaps(scene);
     gpu::Device device = openDevice(options.common);
     verify::Outcome outcome;
@@ -66,7 +67,8 @@ int runVerify(const VerifyOptions& options) {
     const verify::Report& report = outcome.report;
     std::vector<std::string> violations = report.violations();
     if (options.common.json) {
-        nlohmann::ordered_json json = {{"scene", scene.name}, {"device", device.info().name}, {"driver", device.info().driver}};
+        nlohmann::ordered_json json = {
+            {"scene", scene.name}, {"device", device.info().name}, {"driver", device.info().driver}};
         json.update(report.json());
         fmt::print("{}\n", json.dump(2));
     } else {
@@ -84,13 +86,15 @@ int runVerify(const VerifyOptions& options) {
 }  // namespace
 
 void addVerify(CLI::App& app, Action& action) {
-    CLI::App* command = app.add_subcommand("verify", "Hold every pixel of a device against the certified CPU reference");
+    CLI::App* command =
+        app.add_subcommand("verify", "Hold every pixel of a device against the certified CPU reference");
     auto options = std::make_shared<VerifyOptions>();
     addSceneOptions(*command, options->scene);
     command->add_option("--sample", options->samples, "Compare this many pixels, drawn at random; default: all")
         ->type_name("N");
-    command->add_option("-o,--outfile", options->outfile,
-                        "Where a failure leaves its pictures: NAME-device.exr, -reference.exr, -difference.exr")
+    command
+        ->add_option("-o,--outfile", options->outfile,
+                     "Where a failure leaves its pictures: NAME-device.exr, -reference.exr, -difference.exr")
         ->type_name("NAME")
         ->capture_default_str();
     addCommonOptions(*command, options->common);

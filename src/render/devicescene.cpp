@@ -61,10 +61,6 @@ void uploadNodes(gpu::StorageImage& image, const NodeGrid& nodes, Stack::Place p
     }
 }
 
-std::vector<layout::vec4> narrowed(const std::vector<glm::dvec4>& edges) {
-    return {edges.begin(), edges.end()};
-}
-
 }  // namespace
 
 struct DeviceScene::Layout {
@@ -120,8 +116,8 @@ DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, const L
         Stack::Place place = layout.bound_places[i];
         bounds_.upload(std::uint32_t(place.layer), 0, std::uint32_t(place.y), std::uint32_t(relief.bounds.side),
                        std::uint32_t(relief.bounds.imageHeight()), relief.bounds.squared.data());
-        auto uploadEdges = [&](int y, const std::vector<glm::dvec4>& edges) {
-            edges_.upload(0, 0, std::uint32_t(y), std::uint32_t(edges.size()), 1, narrowed(edges).data());
+        auto uploadEdges = [&](int y, const std::vector<layout::vec4>& edges) {
+            edges_.upload(0, 0, std::uint32_t(y), std::uint32_t(edges.size()), 1, edges.data());
         };
         uploadEdges(layout.maps[i].edges_y, relief.shader.longitude_edges);
         uploadEdges(layout.maps[i].edges_y + 1, relief.shader.colatitude_edges);

@@ -4,6 +4,7 @@
 #include "scene/ramps.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace dsphere {
@@ -29,26 +30,44 @@ struct Frame {
     double unit;
 };
 
-// Rays counted from the pixel nearest the object's centre, where the moment is smallest: counted from the picture's
-// corner, the moment of a small far object would be a difference of large numbers.
+/// A vector as the shader keeps it twice as long: row + row_lo, whose sum has 48 bits.
+void splitInto(vec4& row, vec4& row_lo, const dvec3& v) {
+    row = narrow(v, 0.0);
+    row_lo = narrow(v - dvec3(row), 0.0);
+}
+
+/// The same with 12 leading bits in `row`, so that its product with a pixel count is exact.
+void splitStep(vec4& row, vec4& row_lo, const dvec3& v) {
+    for (int c = 0; c < 3; ++c)
+        row[c] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(float(v[c])) & 0xfffff000u);
+    row_lo = narrow(v - dvec3(row), 0.0);
+}
+
+// All rays of a pinhole camera meet the plane through the object's centre that is parallel to the picture at the same
+// multiple of d', so the point there is linear in x and y as d' is. Counted from the pixel nearest the object's centre
+// both are small: counted from the picture's corner, a small far object's would be differences of large numbers.
 void packCameraRays(ObjectData& object, const Frame& frame, const Raster& raster) {
-    dvec2 centre = raster.project(transformPoint(frame.world_from_object, dvec3(0.0)));
+    dvec3 world_centre = transformPoint(frame.world_from_object, dvec3(0.0));
+    dvec2 centre = raster.project(world_centre);
     double x = std::clamp(std::floor(centre.x), 0.0, raster.width - 1.0);
     double y = std::clamp(std::floor(centre.y), 0.0, raster.height - 1.0);
     dvec3 eye = transformPoint(frame.object_from_world, raster.eye) / frame.unit;
     dvec3 d0 = transformVector(frame.object_from_world, raster.direction(x + 0.5, y + 0.5));
     double scale = 1.0 / glm::length(d0);
-    d0 *= scale;
     dvec3 dx = scale * transformVector(frame.object_from_world, raster.right);
     dvec3 dy = scale * transformVector(frame.object_from_world, raster.down);
+    d0 *= scale;
+    double depth = transformPoint(raster.camera_from_world, world_centre).z;  // of the plane, in directions of depth 1
+    double steps = float(depth / (frame.unit * scale));
     object.anchor_x = float(x);
     object.anchor_y = float(y);
-    object.direction_0 = narrow(d0, glm::dot(eye, d0));
-    object.direction_x = narrow(dx, glm::dot(eye, dx));
-    object.direction_y = narrow(dy, glm::dot(eye, dy));
-    object.moment_0 = narrow(glm::cross(eye, d0), 0.0);
-    object.moment_x = narrow(glm::cross(eye, dx), 0.0);
-    object.moment_y = narrow(glm::cross(eye, dy), 0.0);
+    splitInto(object.direction_0, object.direction_0_lo, d0);
+    splitStep(object.direction_x, object.direction_x_lo, dx);
+    splitStep(object.direction_y, object.direction_y_lo, dy);
+    splitInto(object.point_0, object.point_0_lo, eye + steps * d0);
+    splitStep(object.point_x, object.point_x_lo, steps * dx);
+    splitStep(object.point_y, object.point_y_lo, steps * dy);
+    object.direction_0.w = float(steps);
 }
 
 void packTransforms(ObjectData& object, const Frame& frame, const Raster& raster) {
@@ -98,7 +117,9 @@ double packGeometry(ObjectData& object, PackedScene& packed, const Shape& shape,
     if (std::holds_alternative<DisplacedSphere>(shape.geometry)) {
         object.kind = KIND_DISPLACED;
         packed.relief_of_object.back() = findOrAddRelief(packed, map, relief);
-        object.base = float(relief.base / relief.greatest_radius);
+        double base = relief.base / relief.greatest_radius;
+        object.base = float(base);
+        object.base_lo = float(base - double(object.base));
         object.scale = float(relief.scale / relief.greatest_radius);
         return relief.greatest_radius;
     }

@@ -1,19 +1,25 @@
 #include "render/packmap.h"
 
+#include <bit>
 #include <cmath>
 
 namespace dsphere {
 
 namespace {
 
-// cos(pi / 2) of a double is 6e-17; the equator must be an exact plane.
-double exactCos(double angle) {
-    double value = std::cos(angle);
-    return std::abs(value) < 1e-15 ? 0.0 : value;
+float leadingBits(double value) {
+    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(float(value)) & 0xfffff000u);
 }
 
-glm::dvec4 edgePair(double first, double second) {
-    return {std::sin(first), exactCos(first), std::sin(second), exactCos(second)};
+layout::vec4 splitEdge(double angle) {
+    double sine = std::sin(angle), cosine = std::cos(angle);
+    float lead_sine = leadingBits(sine), lead_cosine = leadingBits(cosine);
+    return {lead_sine, lead_cosine, float(sine - lead_sine), float(cosine - lead_cosine)};
+}
+
+float versin(double angle) {
+    double half = std::sin(0.5 * angle);
+    return float(2.0 * half * half);
 }
 
 }  // namespace
@@ -31,13 +37,18 @@ PackedMap packMap(const NodeGrid& nodes, const Bounds& bounds) {
     data.first_column = float(-nodes.column(0.0));
     data.cells_per_radian_u = float(1.0 / nodes.cellWidth());
     data.cells_per_radian_v = float(1.0 / nodes.cellHeight());
-    data.tan_width = float(std::tan(nodes.cellWidth()));
-    data.tan_height = float(std::tan(nodes.cellHeight()));
     data.cap_shift = nodes.halfCaps() ? 0.5f : 0.0f;
-    for (int i = 0; i < nodes.width(); ++i)
-        packed.longitude_edges.push_back(edgePair(nodes.longitude(i), nodes.longitude(i + 1)));
-    for (int j = 0; j < nodes.rows(); ++j)
-        packed.colatitude_edges.push_back(edgePair(nodes.colatitude(j), nodes.colatitude(j + 1)));
+    double width = nodes.cellWidth(), height = nodes.cellHeight(), cap = nodes.colatitude(1);
+    data.tan_width = float(std::tan(width));
+    data.tan_height = float(std::tan(height));
+    data.sin_width = float(std::sin(width));
+    data.versin_width = versin(width);
+    data.sin_height = float(std::sin(height));
+    data.versin_height = versin(height);
+    data.sin_cap = float(std::sin(cap));
+    data.versin_cap = versin(cap);
+    for (int i = 0; i < nodes.width(); ++i) packed.longitude_edges.push_back(splitEdge(nodes.longitude(i)));
+    for (int j = 0; j < nodes.rows(); ++j) packed.colatitude_edges.push_back(splitEdge(nodes.colatitude(j)));
     return packed;
 }
 

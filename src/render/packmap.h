@@ -11,8 +11,9 @@ namespace dsphere {
 /// Shader view of one map but for its place in the images: data.heights_y, layer, bounds_y, bounds_layer, edges_y are 0.
 struct PackedMap {
     layout::MapData data;
-    std::vector<glm::dvec4> longitude_edges;   ///< `width` of (sin, cos) west then east edge
-    std::vector<glm::dvec4> colatitude_edges;  ///< `rows` of (sin, cos) north then south edge
+    /// Sine and cosine of the west edge of each column: 12 leading bits of both, then the rest of both.
+    std::vector<layout::vec4> longitude_edges;
+    std::vector<layout::vec4> colatitude_edges;  ///< the same of the north edge of each row
 };
 
 PackedMap packMap(const NodeGrid& nodes, const Bounds& bounds);

@@ -8,14 +8,20 @@ namespace dsphere {
 
 namespace {
 
-// Moment and distance are differences of large numbers far away, hence made in double, as the camera's are.
+layout::vec4 narrow(const dvec3& v, double w) {
+    return layout::vec4(glm::vec3(v), float(w));
+}
+
+// The point nearest the centre, as a difference of large numbers far away, is made here in double.
 layout::ProbeRay narrowRay(const ProbeQuery& query) {
     double size = glm::length(query.direction);
     dvec3 d = size > 0.0 ? query.direction / size : query.direction;
-    double along = glm::dot(query.origin, d);
+    dvec3 point = glm::cross(d, glm::cross(query.origin, d));
     layout::ProbeRay ray = {};
-    ray.direction = layout::vec4(glm::vec3(d), float(along));
-    ray.moment = layout::vec4(glm::vec3(glm::cross(query.origin, d)), float(along + query.length));
+    ray.point = narrow(point, -glm::dot(query.origin, d));
+    ray.point_lo = narrow(point - dvec3(ray.point), 0.0);
+    ray.direction = narrow(d, query.length);
+    ray.direction_lo = narrow(d - dvec3(ray.direction), 0.0);
     ray.flags = query.secondary ? 1u : 0u;
     return ray;
 }

@@ -9,8 +9,8 @@ namespace dsphere {
 
 namespace {
 
-dvec3 widened(const layout::vec4& v) {
-    return dvec3(v);
+dvec3 sum(const layout::vec4& hi, const layout::vec4& lo) {
+    return dvec3(hi) + dvec3(lo);
 }
 
 /// |m'|^2 - k^2 |d'|^2 <= 0 for a row of pixels: a x^2 + 2 b x + c with x counted from the object's anchor.
@@ -25,14 +25,15 @@ struct Cone {
     double anchor_x, anchor_y;
 
     explicit Cone(const layout::ObjectData& object)
-        : d0(widened(object.direction_0)),
-          dx(widened(object.direction_x)),
-          dy(widened(object.direction_y)),
-          m0(widened(object.moment_0)),
-          mx(widened(object.moment_x)),
-          my(widened(object.moment_y)),
+        : d0(sum(object.direction_0, object.direction_0_lo)),
+          dx(sum(object.direction_x, object.direction_x_lo)),
+          dy(sum(object.direction_y, object.direction_y_lo)),
           anchor_x(object.anchor_x),
           anchor_y(object.anchor_y) {
+        dvec3 eye = sum(object.point_0, object.point_0_lo) - double(object.direction_0.w) * d0;
+        m0 = glm::cross(eye, d0);
+        mx = glm::cross(eye, dx);
+        my = glm::cross(eye, dy);
         double shell = std::sqrt(double(object.shell_squared)) * (1.0 + 1e-5);
         // A ray half a pixel beside a sampled one: |m'| is at most this larger, |d'| this smaller, relative to |d'|,
         // which is never below the image plane's distance.

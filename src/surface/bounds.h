@@ -14,7 +14,7 @@ namespace dsphere {
 /// above the true maximum, so that the marcher's float rounding never skips a cell or a hit in it.
 struct Bounds {
     static constexpr double kDilation = 4e-6;  ///< in face coordinates
-    static constexpr double kSlack = 4e-7;     ///< in units of R
+    static constexpr double kSlack = 6e-7;     ///< in units of R
 
     int side = 0;    ///< cells along a face edge at level 0; a power of two
     int levels = 0;  ///< log2(side) + 1

@@ -39,7 +39,7 @@ Report verifyRays(gpu::Device& device, const Scene& scene, const SceneMaps& maps
             answer.shape = answer.hit ? 0 : -1;
             answer.object_position = dvec3(hit.position) * unit;
             answer.normal = dvec3(hit.normal);
-            answer.t = double(hit.position.w) * unit - glm::dot(ray.origin, ray.direction);
+            answer.t = double(hit.position.w) * unit - glm::dot(ray.origin, ray.direction);  // from the nearest point
             if (answer.inside) answer.t = 0.0;
             if (hit.flags & 4u) ++part.runaways;
             if (!finite(hit)) {

@@ -58,8 +58,9 @@ void expectSane(const FirstHit& hit, const Ray& ray, const Surface& surface) {
 void expectNothingBefore(const FirstHit& hit, const Ray& ray, const Surface& surface) {
     const double speed = glm::length(ray.direction), far = glm::length(ray.origin) + 3.0;
     if (!ray.may_start_inside || hit.inside || !(speed > 1e-3 && speed < 1e3 && far < 1e3)) return;
-    if (!(std::abs(ray.t_min) < 1e3)) return;
+    if (!(std::abs(ray.t_min) < 1e3 && ray.t_max >= ray.t_min)) return;
     const double end = std::min({hit.t_low, ray.t_max, ray.t_min + 2.0 * far / speed + 4.0 * std::abs(ray.t_min)});
+    if (!(end > ray.t_min)) return;
     for (int n = 0; n < 60; ++n) {
         const double share = n < 30 ? n / 30.0 : std::exp2(-(n - 30));
         const double t = ray.t_min + share * (end - ray.t_min);

@@ -96,5 +96,27 @@ TEST_P(Special, ThroughNodesAndAlongCreases) {
     }
 }
 
+TEST(Poles, StartingOnTheAxis) {
+    // Where a ray starts on the axis to within rounding its longitude there means nothing, whatever it turns to.
+    for (Registration registration : {Texel, Gridline}) {
+        const Heightmap map = noiseMap(255, 129, registration, 6);
+        const Relief relief = makeRelief(1.0, -95.0);
+        const Surface surface(map, relief);
+        const Oracle oracle(map, relief);
+        Tally tally;
+        Random random(7);
+        for (int k = 0; k < 1000; ++k) {
+            const double beside[] = {0.0, 1e-160, -1e-160, 1e-17}, sign = k % 2 ? 1.0 : -1.0;
+            const double height = surface.radius({0.0, sign, 0.0}) + uniform(random, 0.001, 0.2);
+            const dvec3 from(k % 3 ? 0.0 : beside[k % 4], sign * height, beside[k / 4 % 4]);
+            const dvec3 direction(uniform(random, -1.0, 1.0), uniform(random, -1.0, 0.2) * sign,
+                                  uniform(random, -1.0, 1.0));
+            expectAgreement("from the axis", surface, oracle, {.origin = from, .direction = direction}, 3000, tally);
+        }
+        EXPECT_GT(tally.hits, 800);
+        EXPECT_LT(tally.finer, 10);
+    }
+}
+
 }  // namespace
 }  // namespace dsphere::reference::test

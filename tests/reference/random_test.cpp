@@ -48,6 +48,7 @@ void compareAll(int rays, int samples, std::uint64_t seed) {
         });
         printf("    %-28s %d rays, %d hits, %d tangent\n", what.name, tally.rays.load(), tally.hits.load(),
                tally.tangent.load());
+        EXPECT_EQ(tally.finer, 0) << what.name;
         EXPECT_LE(tally.tangent, 2 + rays / 100) << what.name;
     }
 }

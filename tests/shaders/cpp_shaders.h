@@ -10,6 +10,8 @@
 
 #include <glm/glm.hpp>
 
+#include <bit>
+#include <cstdint>
 #include <vector>
 
 namespace dsphere::test {
@@ -18,7 +20,7 @@ namespace dsphere::test {
 struct Resources {
     const NodeGrid* nodes = nullptr;
     const Bounds* bounds = nullptr;
-    std::vector<glm::dvec4> longitude_edges, colatitude_edges;
+    std::vector<glm::vec4> longitude_edges, colatitude_edges;
 };
 
 extern thread_local const Resources* current_resources;

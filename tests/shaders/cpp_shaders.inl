@@ -22,9 +22,24 @@ inline vec4 edgesAt(int x, int y) {
     return vec4((y == 0 ? current_resources->longitude_edges : current_resources->colatitude_edges)[std::size_t(x)]);
 }
 
+inline real leadingBits(real x) {
+    return real(std::bit_cast<float>(std::bit_cast<std::uint32_t>(float(x)) & 0xfffff000u));
+}
+
 #include "shaders/numeric.glsl"
 #include "shaders/surface.glsl"
+#include "shaders/ray.glsl"
+#include "shaders/frame.glsl"
+#include "shaders/walk.glsl"
 #include "shaders/march.glsl"
+
+// All kinds of object, the exact marcher: what the device gets by specialisation.
+constexpr int kMarcher = MARCHER_EXACT;
+constexpr int kKinds = 1 << KIND_DISPLACED | 1 << KIND_SPHERE | 1 << KIND_DISK;
+
+#include "shaders/hit.glsl"
+#include "shaders/naive.glsl"
+#include "shaders/objects.glsl"
 
 }  // namespace dsphere::test::GLSL_NAMESPACE
 

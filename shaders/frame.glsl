@@ -1,0 +1,103 @@
+// Local coordinates of a ray in a cell of the map: everything that has to be precise is a small number. The ray is
+// p(sigma), sigma counted from an anchor. In the frame of the cell's west edge (longitude e) and north edge (colatitude
+// t): across = x cos e - z sin e, along = x sin e + z cos e, so tan(longitude - e) = across / along; south = rho cos t -
+// y sin t, toward = rho sin t + y cos t, so tan(colatitude - t) = south / toward. Going from cell to cell turns the
+// frame by the cell's own small angle. Expects surface.glsl and ray.glsl.
+
+struct Frame {
+    Anchor anchor;
+    ivec2 cell;
+    vec2 place, place_d;  // (across, along) of the anchor and of the direction
+    vec2 slant;           // (south, toward) of the anchor
+    vec2 edge;            // (sine, cosine) of the north edge's colatitude
+    real rho, radius;     // distance from the axis and from the centre, of the anchor
+    real height;          // radius - base, without cancellation
+    real rate_rho, rate_radius;  // half the first derivatives of rho^2 and |p|^2
+    real d_across2;       // squared share of d across the axis
+};
+
+Frame makeFrame(Ray ray, MapData map, Pair base, real s) {
+    Frame frame;
+    Anchor anchor = anchorAt(ray, s);
+    frame.anchor = anchor;
+    vec3 p = vec3(anchor.x.hi, anchor.y.hi, anchor.z.hi);
+    frame.cell = locateCell(map, ray.c + s * ray.d);  // the anchor may lie in another
+    vec4 west = edgesAt(frame.cell.x, map.edges_y);
+    vec4 north = edgesAt(frame.cell.y, map.edges_y + 1);
+    Turned around = turnPair(anchor.x, anchor.z, west);
+    real along = around.second.hi + around.second.lo;
+    frame.place = vec2(around.first, along);
+    real sin_w = west.x + west.z;
+    real cos_w = west.y + west.w;
+    frame.place_d = vec2(ray.d.x * cos_w - ray.d.z * sin_w, ray.d.x * sin_w + ray.d.z * cos_w);
+    // rho = along + across^2 / (along + rho): the small part apart.
+    frame.rho = sqrt(along * along + around.first * around.first);
+    real beyond = around.first * around.first / max(frame.rho + along, kTiny);
+    precise real rho_rest = (around.second.lo + beyond);
+    Turned down = turnPair(makePair(around.second.hi, rho_rest), anchor.y, north);
+    real toward = down.second.hi + down.second.lo;
+    frame.slant = vec2(down.first, toward);
+    frame.edge = vec2(north.x + north.z, north.y + north.w);
+    frame.radius = sqrt(toward * toward + down.first * down.first);
+    real bulge = down.first * down.first / max(frame.radius + toward, kTiny);
+    precise real height = (down.second.hi - base.hi) + ((down.second.lo + bulge) - base.lo);
+    frame.height = height;
+    frame.rate_rho = p.x * ray.d.x + p.z * ray.d.z;
+    frame.rate_radius = dot(p, ray.d);
+    frame.d_across2 = ray.d.x * ray.d.x + ray.d.z * ray.d.z;
+    return frame;
+}
+
+// The ray at sigma, in the frame.
+struct Local {
+    vec2 place, slant;
+    real rho, grown;  // rho and |p| - radius of the anchor
+};
+
+Local localAt(Frame frame, real d_y, real sigma) {
+    Local local;
+    local.place = frame.place + sigma * frame.place_d;
+    local.rho = length(local.place);
+    real outward = sigma * (real(2) * frame.rate_rho + sigma * frame.d_across2) / max(local.rho + frame.rho, kTiny);
+    real upward = sigma * d_y;
+    local.slant = vec2(frame.slant.x + outward * frame.edge.y - upward * frame.edge.x,
+                       frame.slant.y + outward * frame.edge.x + upward * frame.edge.y);
+    local.grown = sigma * (real(2) * frame.rate_radius + sigma) / (length(local.slant) + frame.radius);
+    return local;
+}
+
+// Clamped to the cell, which continues the surface by a constant where rounding puts a crossing beside an edge.
+PatchPoint patchPoint(MapData map, Patch quad, Frame frame, Local local) {
+    real tan_u = clamp(local.place.x / max(local.place.y, kTiny), real(0), real(map.tan_width));
+    real tan_v = clamp(local.slant.x / max(local.slant.y, kTiny), real(0), real(map.tan_height));
+    PatchPoint at;
+    at.fu = min(atanSmall(tan_u) * real(map.cells_per_radian_u), real(1));
+    at.fv = min(atanSmall(tan_v) * cellsPerRadianV(map, frame.cell.y), real(1));
+    precise real above = (frame.height - patchValue(quad, at.fu, at.fv)) + local.grown;
+    at.g = above;
+    return at;
+}
+
+// Steps over the east (or west) edge.
+void turnEast(INOUT(Frame) frame, MapData map, bool east) {
+    real sine = east ? real(map.sin_width) : -real(map.sin_width);
+    frame.place = turnSmall(frame.place, sine, real(map.versin_width));
+    frame.place_d = turnSmall(frame.place_d, sine, real(map.versin_width));
+    frame.cell.x = wrapColumn(frame.cell.x + (east ? 1 : -1), map.width);
+}
+
+// Sine and versine of the height of a row of cells.
+vec2 rowTurn(MapData map, int row) {
+    bool pole = isPoleRow(map, row);
+    return vec2(pole ? real(map.sin_cap) : real(map.sin_height), pole ? real(map.versin_cap) : real(map.versin_height));
+}
+
+// Steps over the south (or north) edge; the edge's own angle grows by the height of the row between.
+void turnSouth(INOUT(Frame) frame, MapData map, bool south) {
+    vec2 turn = rowTurn(map, south ? frame.cell.y : frame.cell.y - 1);
+    real sine = south ? turn.x : -turn.x;
+    frame.slant = turnSmall(frame.slant, sine, turn.y);
+    vec2 cosine_sine = turnSmall(vec2(frame.edge.y, frame.edge.x), sine, turn.y);
+    frame.edge = vec2(cosine_sine.y, cosine_sine.x);
+    frame.cell.y += south ? 1 : -1;
+}

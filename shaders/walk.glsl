@@ -1,0 +1,182 @@
+// Walk of the map's cells under one leaf of the bounds, and the refined hit. Expects frame.glsl.
+
+// A chord of this share of the distance to the axis (or the centre) is a parabola within 1e-8 of the surface.
+const real kChordShare = real(0.0125);
+const real kShortestChord = real(2.5e-7);
+// How far from 0 the parabola's verdict is trusted; the contract excuses 1e-6.
+const real kTrust = real(3e-8);
+
+// What does not change along a ray through the map's cells.
+struct WalkPlan {
+    bool east;         // longitude grows along the ray
+    real s_turn;       // where the latitude is extreme
+    real across_axis;  // share of d across the axis: how fast the ray can approach it
+};
+
+WalkPlan planWalk(Ray ray) {
+    WalkPlan plan;
+    precise real turn = ray.c.z * ray.d.x - ray.c.x * ray.d.z;
+    plan.east = turn > real(0);
+    real rise = ray.d.y * ray.c2;
+    plan.s_turn = ray.c.y != real(0) ? clamp(rise / ray.c.y, -kInfinity, kInfinity)
+                                     : (rise > real(0) ? kInfinity : -kInfinity);
+    plan.across_axis = sqrt(max(real(1) - ray.d.y * ray.d.y, real(1e-12)));
+    return plan;
+}
+
+// Where the ray meets the meridian plane of the edge that lies ahead of it: linear in sigma.
+real meridianCrossing(Frame frame, MapData map, bool east, real sigma) {
+    vec2 start = east ? turnSmall(frame.place, real(map.sin_width), real(map.versin_width)) : -frame.place;
+    vec2 rate = east ? turnSmall(frame.place_d, real(map.sin_width), real(map.versin_width)) : -frame.place_d;
+    return rate.x > real(0) ? max(sigma, -start.x / rate.x) : kInfinity;
+}
+
+// Where the ray meets the cone of a parallel, y = |p| cos_e, going south or north: with E^2 = c_y^2 + |c|^2 (d_y^2 -
+// cos_e^2), s = (c_y d_y +- cos_e E) / (cos_e^2 - d_y^2), + southward; the conjugate form where that would cancel.
+real coneCrossing(Ray ray, real cos_e, bool south, real s) {
+    real slack = (cos_e - ray.d.y) * (cos_e + ray.d.y);
+    real square = ray.c.y * ray.c.y - ray.c2 * slack;
+    real swing = cos_e * sqrt(max(square, real(0)));
+    swing = south ? swing : -swing;
+    real tilt = ray.c.y * ray.d.y;
+    real crossing = tilt * swing >= real(0) ? (tilt + swing) / slack
+                                            : (ray.c2 * cos_e * cos_e - ray.c.y * ray.c.y) / (tilt - swing);
+    // The other nappe, or a crossing far behind, is none; rounding may put a true one a little behind.
+    real height = ray.c.y + crossing * ray.d.y;
+    bool true_one = square > real(0) && height * (cos_e < real(0) ? real(-1) : real(1)) >= real(-1e-6) &&
+                    crossing >= s - real(0.01) && crossing < kInfinity;
+    return true_one ? crossing : kInfinity;
+}
+
+// The same in the frame: the cone of the rounded ray, then one Newton step on the edge's own small coordinate.
+real parallelCrossing(Frame frame, WalkPlan plan, Ray ray, MapData map, bool south, real sigma) {
+    vec2 turn = south ? rowTurn(map, frame.cell.y) : vec2(real(0));
+    vec2 cosine_sine = turnSmall(vec2(frame.edge.y, frame.edge.x), turn.x, turn.y);
+    real crossing = coneCrossing(ray, cosine_sine.x, south, frame.anchor.s + sigma) - frame.anchor.s;
+    if (!(crossing < real(1))) return kInfinity;
+    Local local = localAt(frame, ray.d.y, crossing);
+    real beyond = turnSmall(local.slant, turn.x, turn.y).x;
+    real outward = (frame.rate_rho + crossing * frame.d_across2) / max(local.rho, kTiny);
+    real rate = outward * cosine_sine.x - ray.d.y * cosine_sine.y;
+    real correction = abs(rate) > real(1e-4) ? beyond / rate : real(0);
+    return max(sigma, crossing - clamp(correction, real(-1e-3), real(1e-3)));
+}
+
+// One chord of a cell as a parabola through its ends and middle.
+struct Chord {
+    bool hit, unsure;
+    real fraction;  // of the chord, where it hits
+};
+
+// First root on a chord where f(0) = g0 >= 0. The parabola misses the surface by the product of the patch's twist and
+// the bends of fu and fv along the chord; where that could change the verdict the chord is unsure and must be halved.
+Chord solveChord(PatchPoint start, PatchPoint middle, PatchPoint end, real twist) {
+    real bend = real(2) * (start.g + end.g - real(2) * middle.g);
+    real slope = end.g - start.g - bend;
+    real bend_u = real(2) * (start.fu + end.fu - real(2) * middle.fu);
+    real bend_v = real(2) * (start.fv + end.fv - real(2) * middle.fv);
+    real slope_u = end.fu - start.fu - bend_u;
+    real slope_v = end.fv - start.fv - bend_v;
+    real miss = abs(twist) * (real(0.05) * abs(slope_u * bend_v + slope_v * bend_u) + real(0.1) * abs(bend_u * bend_v));
+
+    real lowest_at = slope < real(0) && bend > real(0) ? min(real(-0.5) * slope / bend, real(1)) : real(1);
+    real lowest = min(start.g + lowest_at * (slope + lowest_at * bend), end.g);
+    Chord chord;
+    chord.hit = lowest <= real(0);
+    chord.unsure = miss > kTrust && lowest <= miss;
+    chord.fraction = clamp(firstRoot(start.g, slope, bend), real(0), real(1));
+    return chord;
+}
+
+struct Walk {
+    bool hit, inside, going, exhausted;
+    bool first;       // at the leaf's first chord
+    bool at_start;    // where the ray itself starts
+    Frame frame;
+    real sigma, end;  // where the walk stands, and ends; after a hit, sigma is the root
+    real turn;        // sigma where the latitude is extreme
+    real low, high;   // ends of the chord that holds the root
+    real longest;     // chord length limit: halved where a parabola was unsure
+    int steps;        // height and bound fetches of the whole march
+};
+
+// The ray is below the leaf's bound on [s, s_end].
+Walk startWalk(Ray ray, MapData map, WalkPlan plan, Pair base, real s, real s_end) {
+    Walk walk;
+    walk.frame = makeFrame(ray, map, base, s);
+    walk.hit = false;
+    walk.inside = false;
+    walk.going = true;
+    walk.first = true;
+    walk.at_start = s <= ray.s_min;
+    walk.sigma = s - walk.frame.anchor.s;
+    walk.end = s_end - walk.frame.anchor.s;
+    walk.turn = plan.s_turn - walk.frame.anchor.s;
+    walk.low = walk.sigma;
+    walk.high = walk.end;
+    walk.longest = kInfinity;
+    return walk;
+}
+
+void walkStep(INOUT(Walk) walk, WalkPlan plan, Ray ray, MapData map, real scale) {
+    Frame frame = walk.frame;
+    Patch quad = fetchPatch(map, scale, frame.cell);
+    bool before = walk.sigma < walk.turn;
+    bool south = before != (ray.c.y >= real(0));
+    bool pole_edge = south ? frame.cell.y == map.rows - 1 : frame.cell.y == 0;
+    real to_u = meridianCrossing(frame, map, plan.east, walk.sigma);
+    real to_v = parallelCrossing(frame, plan, ray, map, south, walk.sigma);
+    to_v = pole_edge ? kInfinity : to_v;
+
+    Local here = localAt(frame, ray.d.y, walk.sigma);
+    real limit = min(kChordShare * min(here.rho / plan.across_axis, frame.radius), walk.longest);
+    real far = min(min(to_u, to_v), min(walk.end, walk.sigma + max(limit, kShortestChord)));
+    far = before ? min(far, walk.turn) : far;
+    PatchPoint start = patchPoint(map, quad, frame, here);
+    PatchPoint middle = patchPoint(map, quad, frame, localAt(frame, ray.d.y, real(0.5) * (walk.sigma + far)));
+    PatchPoint end = patchPoint(map, quad, frame, localAt(frame, ray.d.y, far));
+
+    // The ray came from above a bound, so only its own start can lie deeper inside than rounding.
+    bool starts_inside = start.g <= real(0) && walk.first && (ray.may_start_inside || !walk.at_start);
+    start.g = max(start.g, real(0));
+    Chord chord = solveChord(start, middle, end, quad.d);
+    real length_of_chord = far - walk.sigma;
+    bool halve = chord.unsure && !starts_inside && length_of_chord > real(4) * kShortestChord;
+    walk.hit = starts_inside || (chord.hit && !halve);
+    walk.inside = starts_inside && walk.at_start;
+    walk.low = walk.sigma;
+    walk.high = far;
+    walk.longest = halve ? real(0.5) * length_of_chord : real(2) * max(walk.longest, kShortestChord);
+    walk.going = !walk.hit && (halve || far < walk.end);
+    if (walk.hit) {
+        walk.sigma += starts_inside ? real(0) : chord.fraction * length_of_chord;
+    } else if (!halve) {
+        walk.sigma = far;
+        walk.first = false;
+        if (to_u <= far) turnEast(walk.frame, map, plan.east);
+        if (to_v <= far) turnSouth(walk.frame, map, south);
+    }
+}
+
+// The refined hit.
+struct Crossing {
+    vec3 p, gradient;  // gradient of f = |p| - r: its direction is the normal
+    PatchPoint at;
+};
+
+// Newton on the true f, kept inside the chord; its last gradient is the normal's direction.
+Crossing refine(Ray ray, MapData map, real scale, Walk walk) {
+    Patch quad = fetchPatch(map, scale, walk.frame.cell);
+    Crossing crossing;
+    real sigma = walk.sigma;
+    for (int i = 0; i < 2; ++i) {
+        crossing.p = anchoredPoint(walk.frame.anchor, ray.d, sigma);
+        crossing.at = patchPoint(map, quad, walk.frame, localAt(walk.frame, ray.d.y, sigma));
+        crossing.gradient = patchGradient(map, quad, crossing.at, walk.frame.cell.y, crossing.p);
+        real rate = dot(crossing.gradient, ray.d);
+        bool steep = abs(rate) > real(1e-6) * length(crossing.gradient);
+        real stride = steep && !walk.inside && i < 1 ? crossing.at.g / rate : real(0);
+        sigma = clamp(sigma - stride, walk.low, walk.high);
+    }
+    return crossing;
+}

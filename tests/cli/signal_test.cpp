@@ -1,0 +1,43 @@
+// Ctrl-C and SIGTERM in the middle of a long render.
+
+#include "tests/cli/fixture.h"
+
+#include <csignal>
+
+namespace dsphere::test {
+namespace {
+
+class SignalTest : public CliTest {
+  protected:
+    void expectStopped(int signal, int code) {
+        folder_.write("old.exr", "old");
+        // Hours of work: the signal comes at the first progress line.
+        Launch launch{.arguments = {"render", "planet.pbrt", "-o", "old.exr", "--progress", "always", "--resolution",
+                                    "4096,3072", "--spp", "60000"}};
+        launch.signal = signal;
+        Outcome outcome = run(launch);
+        EXPECT_EQ(outcome.code, code) << outcome.err;
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_TRUE(holds(outcome.err, "interrupted"));
+        EXPECT_EQ(readBytes(path("old.exr")), "old") << "the old picture was touched";
+        EXPECT_EQ(folder_.entries(), 3u) << "a file was left behind";
+    }
+};
+
+TEST_F(SignalTest, InterruptIs130) {
+    expectStopped(SIGINT, 130);
+}
+
+TEST_F(SignalTest, TerminationIs143) {
+    expectStopped(SIGTERM, 143);
+}
+
+TEST_F(SignalTest, InterruptEndsVerify) {
+    Launch launch{.arguments = {"verify", "planet.pbrt", "--progress", "always", "--resolution", "4096,3072"}};
+    launch.signal = SIGINT;
+    EXPECT_EQ(run(launch).code, 130);
+    EXPECT_EQ(folder_.entries(), 2u);
+}
+
+}  // namespace
+}  // namespace dsphere::test

@@ -1,0 +1,51 @@
+// Progress and colour: for people, and never in the way of scripts.
+
+#include "tests/cli/fixture.h"
+
+namespace dsphere::test {
+namespace {
+
+class TerminalTest : public CliTest {
+  protected:
+    /// Renders long enough for a progress line to be due.
+    Outcome render(bool terminal, std::vector<std::string> options) {
+        options.insert(options.begin(), {"render", "planet.pbrt", "--resolution", "640,480", "--spp", "32"});
+        Outcome outcome = run(Launch{.arguments = options, .terminal = terminal});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(outcome.out, "");
+        return outcome;
+    }
+    static bool shown(const Outcome& outcome) { return outcome.err.find(" s left") != std::string::npos; }
+
+    std::string complaint(bool terminal, std::vector<std::string> environment) {
+        Outcome outcome =
+            run(Launch{.arguments = {"render", "none.pbrt"}, .environment = environment, .terminal = terminal});
+        EXPECT_EQ(outcome.code, 3);
+        EXPECT_TRUE(holds(outcome.err, "none.pbrt"));
+        return outcome.err;
+    }
+};
+
+TEST_F(TerminalTest, ProgressIsForTerminals) {
+    EXPECT_TRUE(shown(render(true, {})));
+    EXPECT_FALSE(shown(render(false, {})));
+}
+
+TEST_F(TerminalTest, ProgressAsAskedFor) {
+    EXPECT_TRUE(shown(render(false, {"--progress", "always"})));
+    EXPECT_FALSE(shown(render(true, {"--progress", "never"})));
+    EXPECT_FALSE(shown(render(true, {"--quiet"})));
+}
+
+TEST_F(TerminalTest, ColourIsForTerminals) {
+    EXPECT_TRUE(holds(complaint(true, {}), "\033["));
+    EXPECT_EQ(complaint(false, {}).find('\033'), std::string::npos);
+}
+
+TEST_F(TerminalTest, NoColorIsHonoured) {
+    EXPECT_EQ(complaint(true, {"NO_COLOR=1"}).find('\033'), std::string::npos);
+    EXPECT_TRUE(holds(complaint(true, {"NO_COLOR="}), "\033[")) << "empty means unset";
+}
+
+}  // namespace
+}  // namespace dsphere::test

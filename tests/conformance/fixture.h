@@ -1,0 +1,38 @@
+#pragma once
+
+#include "tests/conformance/rays.h"
+#include "tests/conformance/world.h"
+#include "verify/verify.h"
+
+#include <gtest/gtest.h>
+
+namespace dsphere::conformance {
+
+/// The least number of rays that a case traces.
+inline constexpr std::uint64_t kLeastRays = 20000;
+
+/// The machine's CPU device under validation, one a program, with a pipeline cache of its own.
+gpu::Device& device();
+
+/// A case fails on any validation message.
+class Conformance : public testing::Test {
+  protected:
+    void TearDown() override;
+};
+
+/// Runs the first shape, whose object space must be the world, or the whole picture. Fails on fewer than kLeastRays.
+verify::Report probe(const World& world, const Queries& queries);
+verify::Outcome picture(const World& world);
+
+/// Nothing of the report breaks the contract; prints it if something does.
+void expectContract(const verify::Report& report);
+/// The same but for the number of rays excused as tangent. Only for rays that are aimed at tangency.
+void expectContractButTangents(verify::Report report);
+
+/// Prints a parameter of a case by its name, so that lists of tests stay readable.
+template <typename Case>
+std::string caseName(const testing::TestParamInfo<Case>& info) {
+    return info.param.name;
+}
+
+}  // namespace dsphere::conformance
