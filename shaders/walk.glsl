@@ -49,7 +49,7 @@ real coneCrossing(Ray ray, real cos_e, bool south, real s) {
 }
 
 // The same in the frame: the cone of the rounded ray, then one Newton step on the edge's own small coordinate.
-real parallelCrossing(Frame frame, WalkPlan plan, Ray ray, MapData map, bool south, real sigma) {
+real parallelCrossing(Frame frame, Ray ray, MapData map, bool south, real sigma) {
     vec2 turn = south ? rowTurn(map, frame.cell.y) : vec2(real(0));
     vec2 cosine_sine = turnSmall(vec2(frame.edge.y, frame.edge.x), turn.x, turn.y);
     real crossing = coneCrossing(ray, cosine_sine.x, south, frame.anchor.s + sigma) - frame.anchor.s;
@@ -125,7 +125,7 @@ void walkStep(INOUT(Walk) walk, WalkPlan plan, Ray ray, MapData map, real scale)
     bool south = before != (ray.c.y >= real(0));
     bool pole_edge = south ? frame.cell.y == map.rows - 1 : frame.cell.y == 0;
     real to_u = meridianCrossing(frame, map, plan.east, walk.sigma);
-    real to_v = parallelCrossing(frame, plan, ray, map, south, walk.sigma);
+    real to_v = parallelCrossing(frame, ray, map, south, walk.sigma);
     to_v = pole_edge ? kInfinity : to_v;
 
     Local here = localAt(frame, ray.d.y, walk.sigma);

@@ -20,7 +20,8 @@ enum class ExitCode : int {
     Terminated = 143,      ///< stopped by SIGTERM
 };
 
-/// The one exception of the program. The message says where and what was expected; main prints it and exits with `code()`.
+/// The one exception of the program. The message says where and what was expected; main prints it and exits with
+/// `code()`.
 class Error : public std::runtime_error {
   public:
     Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}

@@ -38,8 +38,7 @@ void splitInto(vec4& row, vec4& row_lo, const dvec3& v) {
 
 /// The same with 12 leading bits in `row`, so that its product with a pixel count is exact.
 void splitStep(vec4& row, vec4& row_lo, const dvec3& v) {
-    for (int c = 0; c < 3; ++c)
-        row[c] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(float(v[c])) & 0xfffff000u);
+    for (int c = 0; c < 3; ++c) row[c] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(float(v[c])) & 0xfffff000u);
     row_lo = narrow(v - dvec3(row), 0.0);
 }
 

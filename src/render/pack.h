@@ -13,7 +13,7 @@ namespace dsphere {
 
 /// A map under one relief: its nodes and bounds, ready to upload. Several may share their nodes.
 struct PackedRelief {
-    int map = 0;  ///< index in SceneMaps::maps and PackedScene::nodes
+    int map = 0;                     ///< index in SceneMaps::maps and PackedScene::nodes
     double base = 1.0, scale = 0.0;  ///< r = base + scale * stored value, units of R
     Bounds bounds;
     PackedMap shader;

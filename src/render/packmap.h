@@ -8,7 +8,8 @@
 
 namespace dsphere {
 
-/// Shader view of one map but for its place in the images: data.heights_y, layer, bounds_y, bounds_layer, edges_y are 0.
+/// Shader view of one map but for its place in the images: data.heights_y, layer, bounds_y, bounds_layer, edges_y are
+/// 0.
 struct PackedMap {
     layout::MapData data;
     /// Sine and cosine of the west edge of each column: 12 leading bits of both, then the rest of both.

@@ -54,9 +54,10 @@ std::uint32_t parseAovs(std::string_view list) {
                 found |= planeBit(info.plane);
         }
         if (!found)
-            throw Error(ExitCode::Usage, fmt::format("--aov: unknown output '{}'; there are all, t, P, N, Ns, u, v, Albedo, "
-                                                     "id, lit, steps, residual",
-                                                     word));
+            throw Error(ExitCode::Usage,
+                        fmt::format("--aov: unknown output '{}'; there are all, t, P, N, Ns, u, v, Albedo, "
+                                    "id, lit, steps, residual",
+                                    word));
         mask |= found;
         list.remove_prefix(std::min(comma + 1, list.size()));
     }

@@ -11,8 +11,8 @@ namespace dsphere {
 
 /// One film plane as a channel.
 struct PlaneInfo {
-    int plane;             ///< PLANE_
-    const char* channel;   ///< EXR name
+    int plane;            ///< PLANE_
+    const char* channel;  ///< EXR name
     bool is_uint;
 };
 

@@ -10,8 +10,8 @@ Raster makeRaster(const Camera& camera, const Film& film) {
     raster.width = film.width;
     raster.height = film.height;
     double aspect = camera.frame_aspect_ratio.value_or(double(film.width) / film.height);
-    std::array<double, 4> window = aspect > 1.0 ? std::array{-aspect, aspect, -1.0, 1.0}
-                                                : std::array{-1.0, 1.0, -1.0 / aspect, 1.0 / aspect};
+    std::array<double, 4> window =
+        aspect > 1.0 ? std::array{-aspect, aspect, -1.0, 1.0} : std::array{-1.0, 1.0, -1.0 / aspect, 1.0 / aspect};
     if (camera.screen_window) window = *camera.screen_window;
     double spread = std::tan(0.5 * camera.fov_degrees * kPi / 180.0);
     raster.screen_min = spread * dvec2(window[0], window[2]);

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
-#include <limits>
 #include <cstring>
+#include <limits>
 
 namespace dsphere {
 
@@ -35,7 +35,8 @@ std::vector<Box> makeTiles(const std::vector<Span>& spans) {
             if (span.empty()) continue;
             all = all.empty() ? span : Span{std::min(all.x0, span.x0), std::max(all.x1, span.x1)};
         }
-        for (int x = all.x0; x < all.x1; x += kTileColumns) tiles.push_back({x, y, std::min(x + kTileColumns, all.x1), y1});
+        for (int x = all.x0; x < all.x1; x += kTileColumns)
+            tiles.push_back({x, y, std::min(x + kTileColumns, all.x1), y1});
     }
     return tiles;
 }

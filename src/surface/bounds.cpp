@@ -55,9 +55,12 @@ Footprint sideFootprint(double longitude_0, double turn, Range across, Range y) 
 Footprint footprint(int face, Range a, Range b) {
     bool negative = face % 2 == 1;
     switch (face / 2) {
-        case 0: return sideFootprint(negative ? -kPi / 2 : kPi / 2, negative ? 1.0 : -1.0, b, a);
-        case 1: return polarFootprint(negative ? -1.0 : 1.0, a, b);
-        default: return sideFootprint(negative ? kPi : 0.0, negative ? -1.0 : 1.0, a, b);
+        case 0:
+            return sideFootprint(negative ? -kPi / 2 : kPi / 2, negative ? 1.0 : -1.0, b, a);
+        case 1:
+            return polarFootprint(negative ? -1.0 : 1.0, a, b);
+        default:
+            return sideFootprint(negative ? kPi : 0.0, negative ? -1.0 : 1.0, a, b);
     }
 }
 

@@ -7,8 +7,8 @@
 namespace dsphere {
 
 /// A pyramid of upper bounds of r^2 over the cells of a cube map: no poles, no seam. Face 2k + (negative ? 1 : 0) looks
-/// along axis k; its gnomonic coordinates a, b in [-1, 1] lie along axes k + 1 and k + 2 (cyclic). Level 0 is the finest,
-/// the last has one cell a face.
+/// along axis k; its gnomonic coordinates a, b in [-1, 1] lie along axes k + 1 and k + 2 (cyclic). Level 0 is the
+/// finest, the last has one cell a face.
 ///
 /// Every bound covers all nodes of the patches that the cell touches, the cell dilated by kDilation, and lies kSlack
 /// above the true maximum, so that the marcher's float rounding never skips a cell or a hit in it.
@@ -18,8 +18,8 @@ struct Bounds {
 
     int side = 0;    ///< cells along a face edge at level 0; a power of two
     int levels = 0;  ///< log2(side) + 1
-    /// Squared bounds in units of R^2. Rows of `side` values: per face 1.5 side rows, level 0 first, below it the coarser
-    /// levels side by side: see index().
+    /// Squared bounds in units of R^2. Rows of `side` values: per face 1.5 side rows, level 0 first, below it the
+    /// coarser levels side by side: see index().
     std::vector<float> squared;
 
     int imageHeight() const { return 9 * side; }

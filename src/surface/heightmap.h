@@ -35,8 +35,8 @@ Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape);
 
 /// The displaced sphere in the map's stored units: r = base + scale * stored, object units.
 struct Relief {
-    double base = 1.0;   ///< object units
-    double scale = 0.0;  ///< object units per stored unit; may be negative
+    double base = 1.0;                                 ///< object units
+    double scale = 0.0;                                ///< object units per stored unit; may be negative
     double least_radius = 1.0, greatest_radius = 1.0;  ///< over all nodes, object units
     double h_scale = 1.0, h_offset = 0.0;              ///< h = h_offset + h_scale * stored
 };

@@ -7,7 +7,8 @@
 namespace dsphere {
 
 /// The map as the marcher sees it: node rows from pole to pole, wrapping columns, every cell at most 2 pi / 512 wide
-/// and pi / 256 high. A coarser map is subdivided, which leaves its bilinear surface as it is; a finer one is not copied.
+/// and pi / 256 high. A coarser map is subdivided, which leaves its bilinear surface as it is; a finer one is not
+/// copied.
 class NodeGrid {
   public:
     /// Keeps a reference to `map`, which must outlive the grid.
@@ -20,11 +21,11 @@ class NodeGrid {
     /// `width()` stored values; row 0 is the north pole's, row rows() the south pole's.
     const float* row(int j) const;
 
-    double cellWidth() const;   ///< radians of longitude
-    double cellHeight() const;  ///< radians of latitude, of a row that is no cap
-    double longitude(int i) const;   ///< of node column i, radians, any turn
-    double colatitude(int j) const;  ///< of node row j, radians, 0 at the north pole
-    double column(double longitude) const;   ///< fractional, unwrapped
+    double cellWidth() const;                 ///< radians of longitude
+    double cellHeight() const;                ///< radians of latitude, of a row that is no cap
+    double longitude(int i) const;            ///< of node column i, radians, any turn
+    double colatitude(int j) const;           ///< of node row j, radians, 0 at the north pole
+    double column(double longitude) const;    ///< fractional, unwrapped
     double nodeRow(double colatitude) const;  ///< fractional, as if caps were whole rows; its floor is the cell row
 
   private:

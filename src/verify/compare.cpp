@@ -42,7 +42,8 @@ std::vector<dvec3> ringOffsets(const dvec3& direction, double step) {
 
 std::string describe(const Answer& answer, const WorldHit& truth) {
     auto side = [](bool hit, int shape, bool inside, double t) {
-        return hit ? fmt::format("shape {}{} at t = {:.9g}", shape + 1, inside ? " (inside)" : "", t) : std::string("a miss");
+        return hit ? fmt::format("shape {}{} at t = {:.9g}", shape + 1, inside ? " (inside)" : "", t)
+                   : std::string("a miss");
     };
     return fmt::format("device: {}; reference: {}", side(answer.hit, answer.shape, answer.inside, answer.t),
                        side(truth.hit, truth.shape, truth.inside, truth.hit ? truth.t() : 0.0));
@@ -181,9 +182,10 @@ void Comparison::checkShadow(Report& report, std::uint64_t index, const Answer& 
                                        device_lit ? "lit" : "shadowed", lit ? "lit" : "shadowed", cosine));
 }
 
-// A cosine of two float vectors is off by a few 1e-7 whatever its size, hence the part of the bound that does not shrink
-// towards the terminator.
-void Comparison::checkColour(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light) const {
+// A cosine of two float vectors is off by a few 1e-7 whatever its size, hence the part of the bound that does not
+// shrink towards the terminator.
+void Comparison::checkColour(Report& report, std::uint64_t index, const Answer& answer,
+                             const LightAnswer& light) const {
     dvec3 colour = tracer_.shade(answer.shape, answer.object_position, answer.normal, light.lit);
     dvec3 full(0.0);
     for (const Light& source : scene_.lights) {

@@ -81,7 +81,8 @@ std::vector<std::string> Report::violations() const {
     atMost(double(tangent_shadows), shadow_bound, "shadow rays excused as tangent");
     atMost(distanceQuantile(0.999), contract::kDistance999, "distance to the surface, 99.9 %, in R:");
     atMost(distanceQuantile(1.0), contract::kDistanceAll, "distance to the surface, greatest, in R:");
-    atMost(normalQuantile(contract::kNormalShare), contract::kNormalDegrees, "angle between normals, 99 %, in degrees:");
+    atMost(normalQuantile(contract::kNormalShare), contract::kNormalDegrees,
+           "angle between normals, 99 %, in degrees:");
     return lines;
 }
 
@@ -97,8 +98,7 @@ std::string Report::table() const {
     row("hits", count(hits), "");
     row("wrong verdicts", count(wrong_verdicts), "0");
     row("later roots", count(later_roots), "0");
-    row("tangent rays, excused", count(tangent),
-        real(contract::kTangentShare * double(rays) + contract::kTangentFree));
+    row("tangent rays, excused", count(tangent), real(contract::kTangentShare * double(rays) + contract::kTangentFree));
     row("not finite", count(not_finite), "0");
     row("stopped by the step limit", count(runaways), "0");
     row("distance to surface / R, median", real(distanceQuantile(0.5)), "");

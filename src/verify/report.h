@@ -12,15 +12,15 @@
 namespace dsphere::verify {
 
 namespace contract {
-inline constexpr double kSideways = 1e-6;        ///< R; moving a ray by this may change a tangent ray's answer
-inline constexpr double kTangentShare = 1e-4;    ///< of the rays, plus kTangentFree, may be excused as tangent
+inline constexpr double kSideways = 1e-6;      ///< R; moving a ray by this may change a tangent ray's answer
+inline constexpr double kTangentShare = 1e-4;  ///< of the rays, plus kTangentFree, may be excused as tangent
 inline constexpr int kTangentFree = 2;
-inline constexpr double kDistance999 = 3e-7;     ///< R; 99.9 % of the hits lie this close to the surface
-inline constexpr double kDistanceAll = 1e-6;     ///< R; all hits
-inline constexpr double kAlongRay = 1e-6;        ///< R / |cos(d, N)|, plus two ulp of t
-inline constexpr double kNormalDegrees = 0.02;   ///< 99 % of the normals
+inline constexpr double kDistance999 = 3e-7;    ///< R; 99.9 % of the hits lie this close to the surface
+inline constexpr double kDistanceAll = 1e-6;    ///< R; all hits
+inline constexpr double kAlongRay = 1e-6;       ///< R / |cos(d, N)|, plus two ulp of t
+inline constexpr double kNormalDegrees = 0.02;  ///< 99 % of the normals
 inline constexpr double kNormalShare = 0.99;
-inline constexpr double kColour = 1e-4;          ///< relative
+inline constexpr double kColour = 1e-4;  ///< relative
 }  // namespace contract
 
 /// A pixel or ray that broke the contract, for the message.
@@ -33,7 +33,7 @@ struct Report {
     std::uint64_t rays = 0, hits = 0;
     std::uint64_t wrong_verdicts = 0;  ///< hit against miss, another object, or a root before the first
     std::uint64_t later_roots = 0;
-    std::uint64_t tangent = 0;         ///< excused
+    std::uint64_t tangent = 0;           ///< excused
     std::uint64_t along_ray_faults = 0;  ///< the right root, too far off along the ray
     std::uint64_t not_finite = 0, runaways = 0;
     std::uint64_t shadow_rays = 0, wrong_shadows = 0, tangent_shadows = 0;

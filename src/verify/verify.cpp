@@ -28,7 +28,7 @@ struct Channels {
 
     explicit Channels(const Image& image) {
         auto floats = [&](const char* name) { return &image.at(name).floats(); };
-        auto triple = [&](Floats (&target)[3], const char* x, const char* y, const char* z) {
+        auto triple = [&](Floats(&target)[3], const char* x, const char* y, const char* z) {
             target[0] = floats(x);
             target[1] = floats(y);
             target[2] = floats(z);
@@ -118,8 +118,7 @@ Report inChunks(const std::vector<std::size_t>& pixels, const Progress& progress
             body(part, pixels[k]);
         std::lock_guard lock(mutex);
         total.merge(std::move(part));
-        if (progress && !progress(double(++done) / double(chunks)))
-            throw Error(ExitCode::Interrupted, "interrupted");
+        if (progress && !progress(double(++done) / double(chunks))) throw Error(ExitCode::Interrupted, "interrupted");
     });
     return total;
 }
@@ -135,10 +134,9 @@ Outcome verifyScene(gpu::Device& device, const Scene& scene, const SceneMaps& ma
     outcome.stats = renderer.stats();
     Comparison comparison(scene, maps);
     Channels channels(outcome.device);
-    outcome.report = inChunks(chosenPixels(outcome.device.pixelCount(), options.samples), progress,
-                              [&](Report& part, std::size_t i) {
-                                  comparePixel(part, comparison, scene, outcome.device, channels, i);
-                              });
+    outcome.report = inChunks(
+        chosenPixels(outcome.device.pixelCount(), options.samples), progress,
+        [&](Report& part, std::size_t i) { comparePixel(part, comparison, scene, outcome.device, channels, i); });
     countNotFinite(outcome.report, outcome.device);
     return outcome;
 }

@@ -69,8 +69,9 @@ TEST_F(Axes, UpTheAxisOntoTheSouthPole) {
     expectContract(probe(sphereWorld(steepMap(), 15.0), poleRays(-1.0)));
 }
 
+// There columns' edges meet.
 TEST_F(Axes, OntoAPoleOfGridlineRegistration) {
-    expectContract(probe(gridlineWorld(test::randomMap(512, 257), 15.0), poleRays(1.0)));
+    expectContractButNormals(probe(gridlineWorld(test::randomMap(512, 257), 15.0), poleRays(1.0)));
 }
 
 // Coarse maps have the greatest caps.
@@ -107,13 +108,14 @@ TEST_F(Axes, InTheSeamPlaneWithBothSignsOfZero) {
     expectContract(probe(sphereWorld(steepMap(), 15.0), seamRays(0.0)));
 }
 
+// There the seam is an edge between columns.
 TEST_F(Axes, InTheSeamPlaneOfGridlineRegistration) {
-    expectContract(probe(gridlineWorld(test::randomMap(512, 257), 15.0), seamRays(0.0)));
+    expectContractButNormals(probe(gridlineWorld(test::randomMap(512, 257), 15.0), seamRays(0.0)));
 }
 
 TEST_F(Axes, OneUlpBesideTheSeamPlane) {
     expectContract(probe(sphereWorld(steepMap(), 15.0), seamRays(kFloatUlp)));
-    expectContract(probe(gridlineWorld(test::randomMap(512, 257), 15.0), seamRays(0x1p-1074)));
+    expectContractButNormals(probe(gridlineWorld(test::randomMap(512, 257), 15.0), seamRays(0x1p-1074)));
 }
 
 // Aimed at the seam's neighbourhood from both sides: a column on the wrong side of the wrap shows.
@@ -141,7 +143,8 @@ TEST_F(Axes, InMeridianPlanes) {
         dvec3 from = 3.0 * direction(longitude, uniform(random, -1.6, 1.6));
         rays.push_back(aim(from, uniform(random, -1.0, 1.0) * direction(longitude, uniform(random, -1.5, 1.5))));
     }
-    expectContract(probe(world, rays));
+    // A third of them run along columns' edges.
+    expectContractButNormals(probe(world, rays));
 }
 
 Queries equatorRays() {

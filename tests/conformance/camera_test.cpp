@@ -84,21 +84,21 @@ class FarAway : public Conformance, public testing::WithParamInterface<FarCase> 
 TEST_P(FarAway, HalfThePicture) {
     World world = sunny();
     double distance = GetParam().distance;
-    world.lookAt(world.unit() * distance * direction(-0.8, 0.25), dvec3(0.0), kUp, halfPictureFov(distance));
+    world.lookAt(world.unit() * distance * direction(-0.8, 0.25), dvec3(0.0), kUp, pictureFov(distance, 0.5));
     verify::Report report = picture(world).report;
     EXPECT_GT(report.hits, 3000u);
     expectContract(report);
 }
 
-// Four spheres of some 25 pixels' radius, one in each corner: their rays are far from the picture's axis.
+// Four spheres of some 20 pixels' radius, one in each corner: their rays are far from the picture's axis.
 TEST_P(FarAway, InAllFourCorners) {
     World world;
     int map = world.addMap(ground(), rough());
     world.addSun({1.0, 0.5, 3.0});
-    double distance = GetParam().distance, fov = halfPictureFov(1.6 * distance);
+    double distance = GetParam().distance, fov = pictureFov(distance, 0.27);
     double edge = distance * std::tan(glm::radians(0.5 * fov));  // half the picture's height at that distance
     for (double x : {-1.0, 1.0})
-        for (double y : {-0.66, 0.66}) world.addSphere(rough(), map, translation(edge * dvec3(x, y, 0.0)));
+        for (double y : {-0.68, 0.68}) world.addSphere(rough(), map, translation(edge * dvec3(x, y, 0.0)));
     world.lookAt({0.0, 0.0, distance}, dvec3(0.0), kUp, fov);
     verify::Report report = picture(world).report;
     EXPECT_GT(report.hits, 3000u);
@@ -148,7 +148,7 @@ TEST_P(Placed, Picture) {
     world.lookAt(eye, centre, kUp, 45.0);
     world.addLamp(eye + 0.4 * glm::length(eye - centre) * kUp, 3.0 * glm::dot(eye - centre, eye - centre));
     verify::Report report = picture(world).report;
-    EXPECT_GT(report.hits, 3000u);
+    EXPECT_GT(report.hits, 1000u);
     expectContract(report);
 }
 
@@ -159,8 +159,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(PlacedCase{"Nothing", dmat4(1.0)}, PlacedCase{"RadiusMillionth", dmat4(1.0), 1e-6},
                     PlacedCase{"RadiusBillion", dmat4(1.0), 1e9},
                     PlacedCase{"Translation", translation({3.0, -1.0, 7.0})},
-                    PlacedCase{"FarTranslation", translation({700.0, -300.0, 650.0})},
-                    PlacedCase{"Rotation", kTilted}, PlacedCase{"UniformScale", scaling(dvec3(250.0))},
+                    PlacedCase{"FarTranslation", translation({700.0, -300.0, 650.0})}, PlacedCase{"Rotation", kTilted},
+                    PlacedCase{"UniformScale", scaling(dvec3(250.0))},
                     PlacedCase{"NonUniformScale", kTilted* scaling({1.0, 0.4, 2.0}) * kTilted},
                     PlacedCase{"Mirror", scaling({-1.0, 1.0, 1.0})},
                     PlacedCase{"AllAtOnce", translation({-40.0, 9.0, 5.0}) * kTilted* scaling({-2.0, 3.0, 1.5})}),

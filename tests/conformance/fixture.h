@@ -28,6 +28,9 @@ verify::Outcome picture(const World& world);
 void expectContract(const verify::Report& report);
 /// The same but for the number of rays excused as tangent. Only for rays that are aimed at tangency.
 void expectContractButTangents(verify::Report report);
+/// The same but for the share of normals. Only for rays that are aimed at the edges of texels, where the surface has a
+/// crease and so two or four normals; a test of its own holds them against each of these.
+void expectContractButNormals(verify::Report report);
 
 /// Prints a parameter of a case by its name, so that lists of tests stay readable.
 template <typename Case>

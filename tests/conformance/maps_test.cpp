@@ -72,7 +72,7 @@ class Maps : public Conformance, public testing::WithParamInterface<MapCase> {};
 // From near and far, aimed at the solid and beside it.
 TEST_P(Maps, FromAllAround) {
     World world = sphereWorld(GetParam().map(), GetParam().sphere);
-    Queries rays = randomRays(kRays / 2, 1.2, 1.05, 31), far = randomRays(kRays / 2, 5.0, 1.05, 32);
+    Queries rays = randomRays(kManyRays / 2, 1.2, 1.05, 31), far = randomRays(kManyRays / 2, 5.0, 1.05, 32);
     rays.insert(rays.end(), far.begin(), far.end());
     expectContract(probe(world, rays));
 }
@@ -108,16 +108,15 @@ INSTANTIATE_TEST_SUITE_P(Displacements, Maps,
                                          MapCase{"Minus15percent", fractal(), displaced(-15.0)}),
                          caseName<MapCase>);
 
-INSTANTIATE_TEST_SUITE_P(
-    Readings, Maps,
-    testing::Values(MapCase{"Gridline", fractal(721, 361), registered(Registration::Gridline)},
-                    MapCase{"CoarseGridline", random(12, 7), registered(Registration::Gridline)},
-                    MapCase{"LonOrigin0", random(512, 256), shifted(0.0)},
-                    MapCase{"LonOrigin33", random(512, 256), shifted(33.0)},
-                    MapCase{"LonOrigin33Odd", random(257, 129), shifted(33.0)},
-                    MapCase{"HeightScale", fractal(), trueScale(0.004, 20000.0)},
-                    MapCase{"HeightRange", fractal(), ranged(10000.0, 60000.0)}),
-    caseName<MapCase>);
+INSTANTIATE_TEST_SUITE_P(Readings, Maps,
+                         testing::Values(MapCase{"Gridline", fractal(721, 361), registered(Registration::Gridline)},
+                                         MapCase{"CoarseGridline", random(12, 7), registered(Registration::Gridline)},
+                                         MapCase{"LonOrigin0", random(512, 256), shifted(0.0)},
+                                         MapCase{"LonOrigin33", random(512, 256), shifted(33.0)},
+                                         MapCase{"LonOrigin33Odd", random(257, 129), shifted(33.0)},
+                                         MapCase{"HeightScale", fractal(), trueScale(0.004, 20000.0)},
+                                         MapCase{"HeightRange", fractal(), ranged(10000.0, 60000.0)}),
+                         caseName<MapCase>);
 
 // Rays aimed around one texel that stands out of level ground: its flanks, its foot and its tip.
 void expectAroundTexel(float ground, float texel, int i, int j) {

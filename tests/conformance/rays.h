@@ -13,6 +13,8 @@ using Queries = std::vector<ProbeQuery>;
 
 /// Rays of a case that is not made by nested loops: above the 20,000 that every case must trace.
 inline constexpr int kRays = 24000;
+/// The same where faults are rare, and rays random.
+inline constexpr int kManyRays = 100000;
 
 double uniform(Random& random, double low, double high);
 dvec3 randomUnit(Random& random);

@@ -82,7 +82,8 @@ class Secondary : public Conformance, public testing::WithParamInterface<Seconda
         EXPECT_LT(hit_count, queries.size() * 3 / 4 + queries.size() / 8) << "too few free rays to tell";
         EXPECT_EQ(broken, 0u) << "answers that are not finite or ran away";
         EXPECT_EQ(wrong, 0u) << "the last is ray " << wrong_ray;
-        EXPECT_LE(double(tangent), verify::contract::kTangentShare * double(queries.size()) + verify::contract::kTangentFree);
+        EXPECT_LE(double(tangent),
+                  verify::contract::kTangentShare * double(queries.size()) + verify::contract::kTangentFree);
     }
 };
 

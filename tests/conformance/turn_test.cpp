@@ -27,7 +27,8 @@ class Turn : public Conformance, public testing::WithParamInterface<TurnCase> {
         RawMap map = test::fractalMap(kWidth, kHeight), moved = map;
         for (int j = 0; j < kHeight; ++j)
             for (int i = 0; i < kWidth; ++i)
-                moved.samples[std::size_t(j * kWidth + (i + columns) % kWidth)] = map.samples[std::size_t(j * kWidth + i)];
+                moved.samples[std::size_t(j * kWidth + (i + columns) % kWidth)] =
+                    map.samples[std::size_t(j * kWidth + i)];
         DisplacedSphere sphere;
         sphere.max_displacement = 15.0;
         World world;

@@ -54,9 +54,9 @@ World sphereWorld(RawMap raw, double percent) {
     return sphereWorld(std::move(raw), sphere);
 }
 
-// The sphere's silhouette is at the angle asin(1 / distance); the film's edge has twice its tangent.
-double halfPictureFov(double distance) {
-    return glm::degrees(2.0 * std::atan(2.0 * std::tan(std::asin(1.0 / distance))));
+// The sphere's silhouette is at the angle asin(1 / distance).
+double pictureFov(double distance, double share) {
+    return glm::degrees(2.0 * std::atan(std::tan(std::asin(1.0 / distance)) / share));
 }
 
 dmat4 translation(const dvec3& offset) {

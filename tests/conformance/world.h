@@ -32,8 +32,8 @@ World sphereWorld(RawMap raw, const DisplacedSphere& sphere);
 /// The same of radius 1 and that displacement in percent.
 World sphereWorld(RawMap raw, double percent);
 
-/// The fov in degrees under which a sphere of radius 1, that far away, spans half the film's height.
-double halfPictureFov(double distance);
+/// The fov in degrees under which a sphere of radius 1, that far away, spans that share of the film's height.
+double pictureFov(double distance, double share);
 
 dmat4 translation(const dvec3& offset);
 dmat4 scaling(const dvec3& factors);

@@ -3,7 +3,12 @@
 #define INOUT(T) T&
 #define precise
 
+// Each test file has its own copy of the functions, and need not call them all.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+
 namespace dsphere::test::GLSL_NAMESPACE {
+namespace {
 
 using namespace glm;
 using namespace dsphere::layout;
@@ -40,8 +45,12 @@ constexpr int kKinds = 1 << KIND_DISPLACED | 1 << KIND_SPHERE | 1 << KIND_DISK;
 #include "shaders/hit.glsl"
 #include "shaders/naive.glsl"
 #include "shaders/objects.glsl"
+#include "shaders/sample.glsl"
 
+}  // namespace
 }  // namespace dsphere::test::GLSL_NAMESPACE
+
+#pragma GCC diagnostic pop
 
 #undef INOUT
 #undef precise

@@ -106,7 +106,8 @@ RawMap namedMap(const std::string& name, int width, int height) {
     if (name == "checkerboard") return checkerboardMap(width, height);
     if (name == "random") return randomMap(width, height);
     if (name == "terraces") return terraceMap(width, height);
-    throw Error(ExitCode::Usage, "unknown map '" + name + "'; there are fractal, spikes, checkerboard, random, terraces");
+    throw Error(ExitCode::Usage,
+                "unknown map '" + name + "'; there are fractal, spikes, checkerboard, random, terraces");
 }
 
 void writePgm16(const std::filesystem::path& path, const RawMap& map) {

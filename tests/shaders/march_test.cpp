@@ -1,0 +1,112 @@
+#include "reference/firsthit.h"
+#include "tests/shaders/planet.h"
+#include "tests/support/testmaps.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace dsphere::test {
+namespace {
+
+glsl64::Pair wide(double value) {
+    return {value, 0.0};
+}
+
+glsl32::Pair narrow(double value) {
+    return {float(value), float(value - double(float(value)))};
+}
+
+struct Query {
+    dvec3 origin, direction;  // units of R
+};
+
+std::vector<Query> randomQueries(int count) {
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal;
+    auto vector = [&] { return dvec3(normal(random), normal(random), normal(random)); };
+    std::vector<Query> queries;
+    for (int k = 0; k < count; ++k) {
+        dvec3 origin = glm::normalize(vector()) * (k % 2 ? 3.0 : 1.02);
+        dvec3 target = 0.5 * vector();
+        if (k % 5 == 0) target = dvec3(0.02 * normal(random), k % 10 ? 0.9 : -0.9, 0.02 * normal(random));
+        queries.push_back({origin, glm::normalize(target - origin)});
+    }
+    return queries;
+}
+
+struct Tally {
+    int hits = 0, wrong64 = 0, wrong32 = 0;
+};
+
+// Compares the marcher in both precisions with the certified reference; a tangent ray may have either answer.
+Tally compare(const Planet& planet, const std::vector<Query>& queries) {
+    Tally tally;
+    double unit = planet.unit(), base = planet.packed.reliefs[0].base, scale = planet.packed.reliefs[0].scale;
+    for (const Query& query : queries) {
+        dvec3 d = query.direction, c = glm::cross(d, glm::cross(query.origin, d));
+        double before = -glm::dot(query.origin, d);
+        reference::Ray ray{query.origin * unit, d};
+        reference::FirstHit truth = reference::firstHit(*planet.surface, ray);
+        auto agrees = [&](const reference::FirstHit& hit, bool device, double s) {
+            return hit.hit == device && (!device || std::abs(hit.t() / unit - before - s) <= 1e-4);
+        };
+        auto right = [&](bool hit, double s) {
+            if (agrees(truth, hit, s)) return true;
+            for (const reference::Ray& moved : reference::sidewaysRays(*planet.surface, ray))
+                if (agrees(reference::firstHit(*planet.surface, moved), hit, s)) return true;
+            return false;
+        };
+        glsl64::Line line64{wide(c.x), wide(c.y), wide(c.z), wide(d.x), wide(d.y), wide(d.z)};
+        auto walk64 = glsl64::march(glsl64::makeRay(line64, before, 1e30, true), planet.map(), wide(base), scale,
+                                    planet.object().shell_squared);
+        tally.wrong64 += right(walk64.hit, walk64.hit ? walk64.frame.anchor.s + walk64.sigma : 0.0) ? 0 : 1;
+        glsl32::Line line32{narrow(c.x), narrow(c.y), narrow(c.z), narrow(d.x), narrow(d.y), narrow(d.z)};
+        auto walk32 = glsl32::march(glsl32::makeRay(line32, float(before), 1e30f, true), planet.map(), narrow(base),
+                                    float(scale), planet.object().shell_squared);
+        tally.wrong32 += right(walk32.hit, walk32.hit ? walk32.frame.anchor.s + walk32.sigma : 0.0) ? 0 : 1;
+        tally.hits += truth.hit ? 1 : 0;
+        EXPECT_FALSE(walk64.exhausted);
+        EXPECT_FALSE(walk32.exhausted);
+    }
+    return tally;
+}
+
+void expectRight(RawMap map, double percent, Registration registration = Registration::Texel) {
+    Planet planet(std::move(map), percent, registration);
+    Tally tally = compare(planet, randomQueries(4000));
+    EXPECT_GT(tally.hits, 1000);
+    EXPECT_EQ(tally.wrong64, 0) << "the algorithm";
+    EXPECT_EQ(tally.wrong32, 0) << "float precision";
+}
+
+TEST(Marcher, Fractal) {
+    expectRight(fractalMap(1024, 512), 5.0);
+}
+TEST(Marcher, SteepFractal) {
+    expectRight(fractalMap(1024, 512), 50.0);
+}
+TEST(Marcher, Checkerboard) {
+    expectRight(checkerboardMap(512, 256), 25.0);
+}
+TEST(Marcher, Spikes) {
+    expectRight(spikeMap(1024, 512), 60.0);
+}
+TEST(Marcher, OddSize) {
+    expectRight(randomMap(257, 129), 15.0);
+}
+TEST(Marcher, NegativeDisplacement) {
+    expectRight(randomMap(512, 256), -15.0);
+}
+TEST(Marcher, Gridline) {
+    expectRight(randomMap(90, 46), 30.0, Registration::Gridline);
+}
+TEST(Marcher, TwoTexels) {
+    expectRight(randomMap(2, 1), 50.0);
+}
+TEST(Marcher, Terraces) {
+    expectRight(terraceMap(512, 256), 10.0);
+}
+
+}  // namespace
+}  // namespace dsphere::test
