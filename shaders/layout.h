@@ -76,8 +76,10 @@ using uint = std::uint32_t;
 #define PLANE_FLAGS 28  // bit 0: inside, bit 1: the step limit ended the march (never, if all is well)
 #define PLANE_COUNT 29
 
-// Loops of one invocation share 65,535 back-edges on lavapipe, all rays of a pixel together.
-#define MAX_STEPS 24000
+// Loops of one invocation share 65,535 back-edges on lavapipe, all rays of a pixel together, and end silently there. A
+// march takes some 25 on average; the longest, across a pole of a map 16,384 wide, passes 8,192 cells of 4 fetches each.
+#define MAX_STEPS 48000
+#define MAX_MARCHES 640  // shapes times (lights + 1)
 
 #define MAX_OBJECTS 64
 #define MAX_LIGHTS 32
@@ -86,13 +88,14 @@ using uint = std::uint32_t;
 struct ObjectData {
     // Camera ray of raster position (x, y), object space in units of R: it passes through the point P = point_0 + X
     // point_x + Y point_y and has the direction d' = direction_0 + X direction_x + Y direction_y, X = x - anchor_x, Y =
-    // y - anchor_y. The camera is at P - direction_0.w d'. Each value is the sum of its row and the _lo row after it;
+    // y - anchor_y. It starts at P - direction_0.w d'. Each value is the sum of its row and the _lo row after it;
     // the steps of X and Y have 12 leading bits.
     vec4 point_0, point_0_lo, point_x, point_x_lo, point_y, point_y_lo;
     vec4 direction_0, direction_0_lo, direction_x, direction_x_lo, direction_y, direction_y_lo;
     vec4 to_object_x, to_object_y, to_object_z;  // rows, world -> object in units of R
     vec4 to_world_x, to_world_y, to_world_z;     // rows, object in units of R -> world
-    vec4 from_camera;                            // world: the object's centre seen from the camera
+    vec4 from_start, start_x, start_y;           // world: the object's centre seen from the ray's start at X = Y = 0,
+                                                 // and that start's steps
     vec4 albedo;                                 // rgb; of a constant texture
     float anchor_x, anchor_y;                    // raster
     float base, base_lo, scale;                  // r = base + base_lo + scale * stored value, units of R
@@ -148,7 +151,7 @@ struct ProbeHit {
 #ifdef __cplusplus
 static_assert(sizeof(ProbeRay) == 80);
 static_assert(sizeof(ProbeHit) == 48);
-static_assert(sizeof(ObjectData) == 20 * 16 + 12 * 4);
+static_assert(sizeof(ObjectData) == 22 * 16 + 12 * 4);
 static_assert(sizeof(LightData) == 32);
 static_assert(sizeof(MapData) == 24 * 4);
 static_assert(sizeof(RenderParams) == 32);

@@ -64,11 +64,12 @@ vec3 worldNormal(ObjectData object, vec3 n) {
     return normalize(n.x * vec3(object.to_object_x) + n.y * vec3(object.to_object_y) + n.z * vec3(object.to_object_z));
 }
 
-// Distance from the camera: the hit is near the object's centre, whose offset from the camera the host gave. o + t d
+// Distance from the ray's start: the hit is near the object's centre, whose offset from the start the host gave. o + t d
 // instead would cancel; a t from the ray parameter would carry three more roundings.
-real cameraDistance(ObjectData object, vec3 p) {
+real cameraDistance(ObjectData object, vec3 p, vec2 pixel) {
     vec3 offset = rowsTimesVector(vec4(object.to_world_x), vec4(object.to_world_y), vec4(object.to_world_z), p);
-    return length(offset + vec3(object.from_camera));
+    vec3 moved = pixel.x * vec3(object.start_x) + pixel.y * vec3(object.start_y);
+    return length(offset + (vec3(object.from_start) - moved));
 }
 
 ObjectHit hitUnitSphere(Ray ray) {

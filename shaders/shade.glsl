@@ -28,7 +28,7 @@ SurfacePoint nearestHit(vec2 raster, vec2 jitter) {
         ObjectHit hit = hitObject(object, map, cameraRay(object, pixel, jitter));
         best.steps += hit.steps;
         best.exhausted = best.exhausted || hit.exhausted;
-        float t = hit.inside ? 0.0 : cameraDistance(object, hit.p);
+        float t = hit.inside ? 0.0 : cameraDistance(object, hit.p, pixel + jitter);
         if (hit.hit && t < best.t) {
             best.hit = true;
             best.inside = hit.inside;

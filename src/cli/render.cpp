@@ -36,10 +36,14 @@ std::array<float, 16> headerMatrix(const dmat4& m) {
 
 dmat4 ndcFromWorld(const Raster& raster) {
     dvec2 size = raster.screen_max - raster.screen_min;
-    dmat4 ndc(0.0);  // x / z and y / z from the screen window to [0, 1], y upward
+    dmat4 ndc(1.0);  // from the screen window (over z in perspective) to [0, 1], y upward
     ndc[0][0] = 1.0 / size.x;
     ndc[1][1] = 1.0 / size.y;
-    ndc[2] = dvec4(-raster.screen_min.x / size.x, -raster.screen_min.y / size.y, 1.0, 1.0);
+    dvec2 shift = -raster.screen_min / size;
+    if (raster.projection == Projection::Perspective)
+        ndc[2] = dvec4(shift, 1.0, 1.0), ndc[3] = dvec4(0.0);
+    else
+        ndc[3] = dvec4(shift, 0.0, 1.0);
     return ndc * raster.camera_from_world;
 }
 

@@ -16,6 +16,8 @@ struct SceneOptions {
     std::vector<int> resolution;
     std::vector<double> crop;
     std::optional<int> samples, seed;
+    std::vector<double> latlon;  ///< --lookat-latlon: degrees, degrees, radii above the greatest radius
+    double exaggeration = 1.0;
     bool quick = false;
     Marcher marcher = Marcher::Exact;
 };

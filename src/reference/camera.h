@@ -10,7 +10,8 @@ struct CameraRay {
 };
 
 /// The ray through raster position (x, y) of the whole film (not of its crop): pixels, y downward, pixel centres at
-/// + 0.5. pbrt's perspective: the screen window at tan(fov / 2), y up.
+/// + 0.5. pbrt's cameras: perspective, the screen window at tan(fov / 2), or orthographic,
+/// the window in camera units; y up.
 CameraRay cameraRay(const Camera& camera, const Film& film, double x, double y);
 
 }  // namespace dsphere::reference

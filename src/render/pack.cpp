@@ -42,20 +42,22 @@ void splitStep(vec4& row, vec4& row_lo, const dvec3& v) {
     row_lo = narrow(v - dvec3(row), 0.0);
 }
 
-// All rays of a pinhole camera meet the plane through the object's centre that is parallel to the picture at the same
-// multiple of d', so the point there is linear in x and y as d' is. Counted from the pixel nearest the object's centre
-// both are small: counted from the picture's corner, a small far object's would be differences of large numbers.
+// The rays start at a point and have a direction that are linear in x and y; so is then their point at one multiple of
+// the direction, on the plane through the object's centre parallel to the picture. Counted from the pixel nearest the
+// object's centre all are small: counted from the picture's corner, a small far object's would be differences of large
+// numbers.
 void packCameraRays(ObjectData& object, const Frame& frame, const Raster& raster) {
     dvec3 world_centre = transformPoint(frame.world_from_object, dvec3(0.0));
     dvec2 centre = raster.project(world_centre);
     double x = std::clamp(std::floor(centre.x), 0.0, raster.width - 1.0);
     double y = std::clamp(std::floor(centre.y), 0.0, raster.height - 1.0);
-    dvec3 eye = transformPoint(frame.object_from_world, raster.eye) / frame.unit;
-    dvec3 d0 = transformVector(frame.object_from_world, raster.direction(x + 0.5, y + 0.5));
+    auto toObject = [&](const dvec3& v) { return transformVector(frame.object_from_world, v); };
+    dvec3 world_start = raster.start.at(x + 0.5, y + 0.5);
+    dvec3 start = transformPoint(frame.object_from_world, world_start) / frame.unit;
+    dvec3 d0 = toObject(raster.direction.at(x + 0.5, y + 0.5));
     double scale = 1.0 / glm::length(d0);
-    dvec3 dx = scale * transformVector(frame.object_from_world, raster.right);
-    dvec3 dy = scale * transformVector(frame.object_from_world, raster.down);
     d0 *= scale;
+    dvec3 dx = scale * toObject(raster.direction.right), dy = scale * toObject(raster.direction.down);
     double depth = transformPoint(raster.camera_from_world, world_centre).z;  // of the plane, in directions of depth 1
     double steps = float(depth / (frame.unit * scale));
     object.anchor_x = float(x);
@@ -63,13 +65,16 @@ void packCameraRays(ObjectData& object, const Frame& frame, const Raster& raster
     splitInto(object.direction_0, object.direction_0_lo, d0);
     splitStep(object.direction_x, object.direction_x_lo, dx);
     splitStep(object.direction_y, object.direction_y_lo, dy);
-    splitInto(object.point_0, object.point_0_lo, eye + steps * d0);
-    splitStep(object.point_x, object.point_x_lo, steps * dx);
-    splitStep(object.point_y, object.point_y_lo, steps * dy);
+    splitInto(object.point_0, object.point_0_lo, start + steps * d0);
+    splitStep(object.point_x, object.point_x_lo, toObject(raster.start.right) / frame.unit + steps * dx);
+    splitStep(object.point_y, object.point_y_lo, toObject(raster.start.down) / frame.unit + steps * dy);
     object.direction_0.w = float(steps);
+    object.from_start = narrow(world_centre - world_start, 0.0);
+    object.start_x = narrow(raster.start.right, 0.0);
+    object.start_y = narrow(raster.start.down, 0.0);
 }
 
-void packTransforms(ObjectData& object, const Frame& frame, const Raster& raster) {
+void packTransforms(ObjectData& object, const Frame& frame) {
     dmat4 to_object = glm::transpose(frame.object_from_world);  // columns are now rows
     dmat4 to_world = glm::transpose(frame.world_from_object);
     auto objectRow = [&](int i) { return vec4(to_object[i] / frame.unit); };
@@ -80,7 +85,6 @@ void packTransforms(ObjectData& object, const Frame& frame, const Raster& raster
     object.to_world_x = worldRow(0);
     object.to_world_y = worldRow(1);
     object.to_world_z = worldRow(2);
-    object.from_camera = narrow(transformPoint(frame.world_from_object, dvec3(0.0)) - raster.eye, 0.0);
 }
 
 void packMaterial(ObjectData& object, const Shape& shape, const Relief& relief) {
@@ -146,6 +150,9 @@ PackedScene packScene(const Scene& scene, const SceneMaps& maps) {
         throwInvalid("{}: {} shapes; at most {} are supported", scene.name, scene.shapes.size(), MAX_OBJECTS);
     if (scene.lights.size() > std::size_t(MAX_LIGHTS))
         throwInvalid("{}: {} lights; at most {} are supported", scene.name, scene.lights.size(), MAX_LIGHTS);
+    if (scene.shapes.size() * (scene.lights.size() + 1) > MAX_MARCHES)
+        throwInvalid("{}: {} shapes times {} lights and the camera; at most {} marches a pixel are supported",
+                     scene.name, scene.shapes.size(), scene.lights.size(), MAX_MARCHES);
     PackedScene packed;
     for (const auto& map : maps.maps) packed.nodes.push_back(std::make_unique<NodeGrid>(*map));
     Raster raster = makeRaster(scene.camera, scene.film);
@@ -155,7 +162,7 @@ PackedScene packScene(const Scene& scene, const SceneMaps& maps) {
         double unit = packGeometry(object, packed, shape, maps.map_of_shape[i], maps.reliefs[i]);
         Frame frame{shape.world_from_object, glm::inverse(shape.world_from_object), unit};
         packCameraRays(object, frame, raster);
-        packTransforms(object, frame, raster);
+        packTransforms(object, frame);
         packMaterial(object, shape, maps.reliefs[i]);
         packed.kinds |= 1u << object.kind;
         packed.objects.push_back(object);

@@ -29,7 +29,7 @@ struct PackedScene {
     std::uint32_t kinds = 0;                       ///< bit per KIND_ in use
 };
 
-/// Error (InvalidInput) with more than MAX_OBJECTS shapes or MAX_LIGHTS lights.
+/// Error (InvalidInput) with more than MAX_OBJECTS shapes, MAX_LIGHTS lights, or MAX_MARCHES rays a pixel.
 PackedScene packScene(const Scene& scene, const SceneMaps& maps);
 
 }  // namespace dsphere

@@ -6,17 +6,25 @@
 
 namespace dsphere {
 
-/// The camera's rays as a linear function of the raster position: the ray through (x, y) has the world direction
-/// `origin + x right + y down` (not normalised), x and y in pixels of the whole film, pixel centres at + 0.5.
-struct Raster {
-    dvec3 eye;  ///< world
+/// A vector or point of world space that is linear in the raster position (x, y): pixels of the whole film, x to the
+/// right, y downward, pixel centres at + 0.5.
+struct RasterLinear {
     dvec3 origin, right, down;
+
+    dvec3 at(double x, double y) const { return origin + x * right + y * down; }
+};
+
+/// The camera's rays: both where they start and their directions (not normalised) are linear in the raster position. A
+/// perspective camera's start is constant, an orthographic one's direction.
+struct Raster {
+    RasterLinear start, direction;
     dmat4 camera_from_world;
-    dvec2 screen_min, screen_max;  ///< camera coordinates at z = 1 of the film's left bottom and right top
+    Projection projection;
+    dvec2 screen_min,
+        screen_max;  ///< camera coordinates (at z = 1 in perspective) of the film's left bottom, right top
     int width, height;
 
-    dvec3 direction(double x, double y) const { return origin + x * right + y * down; }
-    /// Raster position of a world point; the film's middle if it is not in front of the camera.
+    /// Raster position of a world point; the film's middle if it is not in front of a perspective camera.
     dvec2 project(const dvec3& world) const;
 };
 

@@ -30,14 +30,20 @@ struct Cone {
           dy(sum(object.direction_y, object.direction_y_lo)),
           anchor_x(object.anchor_x),
           anchor_y(object.anchor_y) {
-        dvec3 eye = sum(object.point_0, object.point_0_lo) - double(object.direction_0.w) * d0;
-        m0 = glm::cross(eye, d0);
-        mx = glm::cross(eye, dx);
-        my = glm::cross(eye, dy);
+        double steps = object.direction_0.w;
+        dvec3 start = sum(object.point_0, object.point_0_lo) - steps * d0;
+        dvec3 start_x = sum(object.point_x, object.point_x_lo) - steps * dx;
+        dvec3 start_y = sum(object.point_y, object.point_y_lo) - steps * dy;
+        // Linear too, since either the start or the direction is constant.
+        m0 = glm::cross(start, d0);
+        mx = glm::cross(start_x, d0) + glm::cross(start, dx);
+        my = glm::cross(start_y, d0) + glm::cross(start, dy);
         double shell = std::sqrt(double(object.shell_squared)) * (1.0 + 1e-5);
         // A ray half a pixel beside a sampled one: |m'| is at most this larger, |d'| this smaller, relative to |d'|,
         // which is never below the image plane's distance.
-        double plane = std::abs(glm::dot(d0, glm::normalize(glm::cross(dx, dy))));
+        dvec3 across = glm::cross(dx, dy);
+        double flat = glm::length(across);
+        double plane = flat > 0.0 ? std::abs(glm::dot(d0, across)) / flat : glm::length(d0);
         double drift = glm::length(mx) + glm::length(my) + shell * (glm::length(dx) + glm::length(dy));
         k = shell + drift / std::max(plane, 1e-30);
     }

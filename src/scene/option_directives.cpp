@@ -25,11 +25,13 @@ void requireOnce(Statement s) {
 
 void camera(Statement s) {
     requireOnce(s);
-    auto [name, p] = readNamed(s, "camera", {"perspective"});
+    auto [name, p] = readNamed(s, "camera", {"perspective", "orthographic"});
     Camera& camera = s.state.scene.camera;
+    camera.projection = name.text == "orthographic" ? Projection::Orthographic : Projection::Perspective;
     camera.camera_from_world = s.state.attributes.ctm;
     if (!isInvertible(camera.camera_from_world)) failAt(s.word.where, "the camera's transform is singular");
-    camera.fov_degrees = p.number("fov", {0.0, 180.0, true}).value_or(camera.fov_degrees);
+    if (camera.projection == Projection::Perspective)
+        camera.fov_degrees = p.number("fov", {0.0, 180.0, true}).value_or(camera.fov_degrees);
     camera.screen_window = p.fourNumbers("screenwindow", kAnyNumber);
     camera.frame_aspect_ratio = p.number("frameaspectratio", kPositive);
     p.finish();

@@ -21,9 +21,12 @@ struct SourceLocation {
     std::string text() const;  ///< "file:line:column"
 };
 
+enum class Projection { Perspective, Orthographic };
+
 struct Camera {
+    Projection projection = Projection::Perspective;
     dmat4 camera_from_world{1.0};  ///< the CTM at the Camera directive; camera looks along +z, y up, x right
-    double fov_degrees = 90.0;     ///< over the shorter axis; in (0, 180)
+    double fov_degrees = 90.0;     ///< perspective: over the shorter axis; in (0, 180)
     /// Screen window {x0, x1, y0, y1}; unset: the shorter axis spans [-1, 1].
     std::optional<std::array<double, 4>> screen_window;
     std::optional<double> frame_aspect_ratio;  ///< width / height that the window is made for; unset: the film's
