@@ -2,9 +2,11 @@
 
 #include "base/error.h"
 #include "cli/commands.h"
+#include "render/raster.h"
 #include "scene/parser.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace dsphere::cli {
 
@@ -25,12 +27,45 @@ void applyFilm(Film& film, const SceneOptions& options) {
     }
     if (film.width < 1 || film.height < 1 || film.width > 65536 || film.height > 65536)
         throwUsage(fmt::format("--resolution: {}x{} is outside 1 to 65536", film.width, film.height));
-    if (options.crop.empty()) return;
-    std::copy(options.crop.begin(), options.crop.end(), film.crop.begin());
+    if (!options.crop.empty()) std::copy(options.crop.begin(), options.crop.end(), film.crop.begin());
     const auto& [x0, x1, y0, y1] = film.crop;
     if (!(x0 >= 0.0 && x0 < x1 && x1 <= 1.0 && y0 >= 0.0 && y0 < y1 && y1 <= 1.0))
         throwUsage(
             fmt::format("--cropwindow: {},{},{},{}: expected 0 <= x0 < x1 <= 1 and 0 <= y0 < y1 <= 1", x0, x1, y0, y1));
+    Box box = cropBox(film);
+    if (box.width() < 1 || box.height() < 1)
+        throwUsage(
+            fmt::format("--cropwindow: {},{},{},{} holds no pixel of {}x{}", x0, x1, y0, y1, film.width, film.height));
+}
+
+void exaggerate(Scene& scene, double factor) {
+    if (!std::isfinite(factor)) throwUsage("--exaggeration: expected a finite number");
+    for (Shape& shape : scene.shapes) {
+        auto* sphere = std::get_if<DisplacedSphere>(&shape.geometry);
+        if (!sphere) continue;
+        sphere->max_displacement *= factor;
+        if (sphere->height_scale) *sphere->height_scale *= factor;
+    }
+}
+
+// Above a place of the first displaced sphere, looking straight down, north up, east to the right.
+void lookFromAbove(Scene& scene, const std::vector<double>& latlon) {
+    auto planet = std::find_if(scene.shapes.begin(), scene.shapes.end(), [](const Shape& shape) {
+        return std::holds_alternative<DisplacedSphere>(shape.geometry);
+    });
+    if (planet == scene.shapes.end()) throwUsage("--lookat-latlon: the scene has no displacedsphere");
+    if (!(std::abs(latlon[0]) <= 90.0 && std::isfinite(latlon[1]) && latlon[2] > 0.0))
+        throwUsage("--lookat-latlon: expected a latitude in [-90, 90], a longitude and an altitude > 0");
+    double lat = glm::radians(latlon[0]), lon = glm::radians(latlon[1]);
+    dvec3 outward(std::cos(lat) * std::sin(lon), std::sin(lat), std::cos(lat) * std::cos(lon));
+    dvec3 north(-std::sin(lat) * std::sin(lon), std::cos(lat), -std::sin(lat) * std::cos(lon));
+    const auto& sphere = std::get<DisplacedSphere>(planet->geometry);
+    dvec3 eye = transformPoint(planet->world_from_object, outward * (sphere.radius * (1.0 + latlon[2])));
+    dvec3 centre = transformPoint(planet->world_from_object, dvec3(0.0));
+    dvec3 ahead = glm::normalize(centre - eye), up = transformVector(planet->world_from_object, north);
+    dvec3 east = glm::normalize(glm::cross(ahead, up));
+    dmat4 world_from_camera(dvec4(east, 0.0), dvec4(glm::cross(east, ahead), 0.0), dvec4(ahead, 0.0), dvec4(eye, 1.0));
+    scene.camera.camera_from_world = glm::inverse(world_from_camera);
 }
 
 }  // namespace
@@ -50,12 +85,22 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
     addChoice<Marcher>(command, "--marcher", options.marcher,
                        {{"exact", Marcher::Exact}, {"naive", Marcher::Naive}, {"naive-shell", Marcher::NaiveShell}},
                        "How to find hits: exact (the default), or a baseline", "exact|naive|naive-shell");
+    command.add_option("--exaggeration", options.exaggeration, "Multiply all displacements")->type_name("X");
+    command
+        .add_option("--lookat-latlon", options.latlon,
+                    "Look straight down on the first displaced sphere from a latitude and longitude in degrees and an "
+                    "altitude in radii; north is up, east to the right")
+        ->expected(3)
+        ->delimiter(',')
+        ->type_name("LAT,LON,ALT");
     command.add_flag("--quick", options.quick, "A quarter of the resolution and one sample a pixel");
 }
 
 Scene loadScene(const SceneOptions& options) {
     Scene scene = parseSceneFile(options.scene);
     applyFilm(scene.film, options);
+    if (options.exaggeration != 1.0) exaggerate(scene, options.exaggeration);
+    if (!options.latlon.empty()) lookFromAbove(scene, options.latlon);
     if (options.quick) scene.sampler.pixel_samples = 1;
     if (options.samples) scene.sampler.pixel_samples = *options.samples;
     if (options.seed) scene.sampler.seed = *options.seed;
