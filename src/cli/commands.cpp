@@ -14,8 +14,12 @@ void addCommonOptions(CLI::App& command, CommonOptions& options) {
     command.add_flag("--json", options.json, "Print the result as JSON on standard output");
     command.add_flag("--quiet", options.quiet, "Print errors only");
     command.add_flag("--verbose", options.verbose, "Print more about maps, memory and timing");
+    addProgressOption(command, options.progress);
+}
+
+void addProgressOption(CLI::App& command, ProgressMode& progress) {
     addChoice<ProgressMode>(
-        command, "--progress", options.progress,
+        command, "--progress", progress,
         {{"auto", ProgressMode::Auto}, {"always", ProgressMode::Always}, {"never", ProgressMode::Never}},
         "Progress line: on a terminal (auto, the default), always or never", "auto|always|never");
 }

@@ -24,6 +24,7 @@ struct CommonOptions {
 using Action = std::function<int()>;
 
 void addCommonOptions(CLI::App& command, CommonOptions& options);
+void addProgressOption(CLI::App& command, ProgressMode& progress);
 
 /// An option that takes one of a few words, in any case; the help shows them as `words`.
 template <typename T>
@@ -50,5 +51,8 @@ void checkValidation(const gpu::Device& device);
 void addRender(CLI::App& app, Action& action);
 void addVerify(CLI::App& app, Action& action);
 void addDevices(CLI::App& app, Action& action);
+void addDiff(CLI::App& app, Action& action);
+void addInfo(CLI::App& app, Action& action);
+void addGenerate(CLI::App& app, Action& action);
 
 }  // namespace dsphere::cli

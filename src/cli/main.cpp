@@ -24,6 +24,9 @@ int run(int argc, char** argv) {
     Action action;
     addRender(app, action);
     addVerify(app, action);
+    addDiff(app, action);
+    addInfo(app, action);
+    addGenerate(app, action);
     addDevices(app, action);
     try {
         app.parse(argc, argv);

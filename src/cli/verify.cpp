@@ -91,6 +91,8 @@ void addVerify(CLI::App& app, Action& action) {
     auto options = std::make_shared<VerifyOptions>();
     addSceneOptions(*command, options->scene);
     command->add_option("--sample", options->samples, "Compare this many pixels, drawn at random; default: all")
+        ->check(CLI::NonNegativeNumber)
+        ->check(CLI::NonNegativeNumber.description(""))
         ->type_name("N");
     command
         ->add_option("-o,--outfile", options->outfile,

@@ -17,6 +17,8 @@ RawMap readPng(InputFile& file);
 RawMap readPnm(InputFile& file);  ///< PGM and PPM: P2 P3 P5 P6
 RawMap readPfm(InputFile& file);
 RawMap readGtx(InputFile& file);
+RawMap readTiff(InputFile& file);    ///< the first page; classic or BigTIFF
+RawMap readExrMap(InputFile& file);  ///< the first part; channel Y, else R G B, else the only one there is
 
 /// Throws unless both sides are in 1..kMaxSide and the texels at most kMaxTexels. `format` is for the message: "PNG".
 void checkSize(const InputFile& file, std::string_view format, std::int64_t width, std::int64_t height);

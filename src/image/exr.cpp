@@ -9,6 +9,7 @@
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
+#include <ImfTileDescription.h>
 
 #include <algorithm>
 
@@ -22,6 +23,16 @@ namespace {
 
 // No codec of OpenEXR packs pixels of FLOAT or UINT more than deflate's 1032 : 1; with room for HALF and run lengths.
 constexpr std::uint64_t kMaxPacking = 4096;
+// A tile may be larger than the picture, and is made room for as a whole; this much needs no proof.
+constexpr std::uint64_t kFreeTileBytes = 1 << 26;
+
+using Names = std::vector<std::string>;
+
+constexpr auto kAllChannels = [](const Imf::ChannelList& channels) {
+    Names names;
+    for (auto c = channels.begin(); c != channels.end(); ++c) names.emplace_back(c.name());
+    return names;
+};
 
 Imath::Box2i toExr(const Box& box) {
     return {{box.x0, box.y0}, {box.x1 - 1, box.y1 - 1}};
@@ -79,38 +90,64 @@ Imf::FrameBuffer makeFrameBuffer(const Image& image) {
     return buffer;
 }
 
+void checkTiles(const Imf::TileDescription& tiles, std::uint64_t channels, std::uint64_t file_bytes) {
+    const std::uint64_t bytes = 4 * channels * tiles.xSize * tiles.ySize;
+    const bool sane = std::min(tiles.xSize, tiles.ySize) >= 1 && std::max(tiles.xSize, tiles.ySize) <= kMaxSide;
+    if (!sane || (bytes > kFreeTileBytes && bytes / kMaxPacking > file_bytes))
+        throwInvalid("tiles of {}x{} pixels in a file of {} bytes", tiles.xSize, tiles.ySize, file_bytes);
+}
+
 /// Throws unless the header's sizes are sane and the file can hold what it promises.
-void checkHeader(const Imf::Header& header, std::uint64_t file_bytes) {
+void checkHeader(const Imf::Header& header, const Names& wanted, std::uint64_t file_bytes) {
     const Imath::Box2i& window = header.dataWindow();
     const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1;
     const std::int64_t height = std::int64_t(window.max.y) - window.min.y + 1;
     if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide || width * height > kMaxTexels)
         throwInvalid("the size is {}x{}, expected sides of 1 to {} and at most {} pixels", width, height, kMaxSide,
                      kMaxTexels);
-    std::uint64_t channels = 0;
-    for (auto c = header.channels().begin(); c != header.channels().end(); ++c, ++channels)
-        if (c.channel().xSampling != 1 || c.channel().ySampling != 1)
-            throwInvalid("the channel {} is subsampled, expected a value for every pixel", c.name());
-    const std::uint64_t bytes = 4 * channels * std::uint64_t(width * height);
+    for (const std::string& name : wanted)
+        if (const Imf::Channel& channel = header.channels()[name]; channel.xSampling != 1 || channel.ySampling != 1)
+            throwInvalid("the channel {} is subsampled, expected a value for every pixel", name);
+    const std::uint64_t channels = kAllChannels(header.channels()).size();
+    const std::uint64_t bytes = 4 * wanted.size() * std::uint64_t(width * height);
     if (bytes / kMaxPacking > file_bytes)
-        throwInvalid("{} channels of {}x{} pixels cannot lie in a file of {} bytes", channels, width, height,
+        throwInvalid("{} channels of {}x{} pixels cannot lie in a file of {} bytes", wanted.size(), width, height,
                      file_bytes);
+    if (header.hasTileDescription()) checkTiles(header.tileDescription(), channels, file_bytes);
 }
 
-Image readPixels(const std::filesystem::path& path) {
+/// Reads the channels that `choose` names of a header's list: uint ones as they are if `keep_uints`, all others widened
+/// or rounded to float.
+template <typename Choose>
+Image readPixels(const std::filesystem::path& path, bool keep_uints, Choose&& choose) {
     // A multi-part file reads the header alone; the part makes room for pixels, so it comes after the check.
     Imf::MultiPartInputFile file(path.c_str());
     const Imf::Header& header = file.header(0);
-    checkHeader(header, std::filesystem::file_size(path));
+    const Names wanted = choose(header.channels());
+    checkHeader(header, wanted, std::filesystem::file_size(path));
     Imf::InputPart part(file, 0);
     Image image;
     image.data = fromExr(header.dataWindow());
     image.display = fromExr(header.displayWindow());
-    for (auto c = header.channels().begin(); c != header.channels().end(); ++c)
-        c.channel().type == Imf::UINT ? image.addUint(c.name()) : image.addFloat(c.name());
+    for (const std::string& name : wanted) {
+        if (keep_uints && header.channels()[name].type == Imf::UINT)
+            image.addUint(name);
+        else
+            image.addFloat(name);
+    }
     part.setFrameBuffer(makeFrameBuffer(image));
     part.readPixels(image.data.y0, image.data.y1 - 1);
     return image;
+}
+
+/// The channels that are heights.
+Names heightChannels(const Imf::ChannelList& channels) {
+    if (channels.findChannel("Y")) return {"Y"};
+    if (channels.findChannel("R") && channels.findChannel("G") && channels.findChannel("B")) return {"R", "G", "B"};
+    Names all = kAllChannels(channels);
+    if (all.size() != 1)
+        throwInvalid("it has the channels {}; a heightmap has Y, or R, G and B, or a single one", fmt::join(all, ", "));
+    return all;
 }
 
 }  // namespace
@@ -131,9 +168,26 @@ void writeExr(const std::filesystem::path& path, const Image& image, const Metad
 
 Image readExr(const std::filesystem::path& path) {
     try {
-        return readPixels(path);
+        return readPixels(path, true, kAllChannels);
     } catch (const std::exception& error) {
         throwInvalid("{}: cannot be read as EXR: {}", path.string(), error.what());
+    }
+}
+
+RawMap readExrMap(InputFile& file) {
+    try {
+        Image image = readPixels(file.name(), false, heightChannels);
+        RawMap map;
+        map.width = image.data.width();
+        map.height = image.data.height();
+        map.type = image.channels.size() == 3 ? "colour EXR" : "EXR";
+        map.samples = std::move(image.channels[0].floats());
+        if (image.channels.size() == 3)
+            for (std::size_t k = 0; k < map.samples.size(); ++k)
+                map.samples[k] = meanOf(map.samples[k], image.channels[1].floats()[k], image.channels[2].floats()[k]);
+        return map;
+    } catch (const std::exception& error) {
+        file.invalid("cannot be read as EXR: {}", error.what());
     }
 }
 

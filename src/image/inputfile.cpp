@@ -29,9 +29,12 @@ int InputFile::get() {
     return byte;
 }
 
-void InputFile::rewind() {
-    if (buffer_.pubseekpos(0, std::ios::in) != std::streampos(0)) invalid("cannot be read: {}", lastSystemError());
-    position_ = 0;
+void InputFile::seek(std::uint64_t position) {
+    if (position == position_) return;
+    if (position > size_) invalid("has {} bytes, where {} were expected", size_, position);
+    const std::streampos wanted(static_cast<std::streamoff>(position));
+    if (buffer_.pubseekpos(wanted, std::ios::in) != wanted) invalid("cannot be read: {}", lastSystemError());
+    position_ = position;
 }
 
 }  // namespace dsphere

@@ -21,13 +21,16 @@ class InputFile {
     explicit InputFile(const std::filesystem::path& path);
 
     const std::string& name() const { return name_; }
+    std::uint64_t size() const { return size_; }
     std::uint64_t remaining() const { return size_ - position_; }
     /// Reads exactly `count` bytes; throws when fewer are left.
     void read(void* to, std::size_t count);
     /// The next byte, or -1 at the end.
     int get();
+    /// Reads on from that byte; throws when the file has not so many. No cost when it is the next one anyway.
+    void seek(std::uint64_t position);
     /// Returns to the first byte.
-    void rewind();
+    void rewind() { seek(0); }
 
     template <typename... Args>
     [[noreturn]] void invalid(fmt::format_string<Args...> format, Args&&... args) const {

@@ -7,13 +7,34 @@
 
 namespace dsphere {
 
-void writePicture(const std::filesystem::path& path, const Image& image, const Metadata& metadata, double exposure) {
+namespace {
+
+/// In lower case, with its dot.
+std::string extensionOf(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return extension;
+}
+
+[[noreturn]] void throwUnknown(const std::filesystem::path& path) {
+    throw Error(ExitCode::Usage,
+                fmt::format("{}: the extension is {:?}, expected .exr or .png", path.string(), extensionOf(path)));
+}
+
+}  // namespace
+
+void writePicture(const std::filesystem::path& path, const Image& image, const Metadata& metadata, double exposure) {
+    const std::string extension = extensionOf(path);
     if (extension == ".exr") return writeExr(path, image, metadata);
     if (extension == ".png") return writePng(path, image, exposure);
-    throw Error(ExitCode::Usage,
-                fmt::format("{}: the extension is {:?}, expected .exr or .png", path.string(), extension));
+    throwUnknown(path);
+}
+
+Image readPicture(const std::filesystem::path& path) {
+    const std::string extension = extensionOf(path);
+    if (extension == ".exr") return readExr(path);
+    if (extension == ".png") return readPngPicture(path);
+    throwUnknown(path);
 }
 
 }  // namespace dsphere

@@ -30,4 +30,11 @@ void writePicture(const std::filesystem::path& path, const Image& image, const M
 /// widened to float. Throws Error (InvalidInput) when it cannot: no EXR, truncated, subsampled channels, absurd size.
 Image readExr(const std::filesystem::path& path);
 
+/// Reads a PNG of any kind as linear R, G, B: decoded from sRGB, on black where transparent. Throws Error
+/// (InvalidInput) when it cannot.
+Image readPngPicture(const std::filesystem::path& path);
+
+/// Chooses by the extension, .exr or .png; another one is an Error (Usage).
+Image readPicture(const std::filesystem::path& path);
+
 }  // namespace dsphere

@@ -13,7 +13,13 @@ using Reader = RawMap (*)(InputFile&);
 
 /// The reader for the file's magic, or nullptr. GTX has none.
 Reader readerOf(const std::array<std::uint8_t, 4>& magic) {
+    constexpr std::uint8_t kClassic = 42, kBig = 43;  // TIFF's version numbers
     if (magic == std::array<std::uint8_t, 4>{0x89, 'P', 'N', 'G'}) return readPng;
+    if (magic == std::array<std::uint8_t, 4>{0x76, 0x2f, 0x31, 0x01}) return readExrMap;
+    for (const std::uint8_t version : {kClassic, kBig}) {
+        if (magic == std::array<std::uint8_t, 4>{'I', 'I', version, 0}) return readTiff;
+        if (magic == std::array<std::uint8_t, 4>{'M', 'M', 0, version}) return readTiff;
+    }
     if (magic[0] != 'P') return nullptr;
     switch (magic[1]) {
         case '2':
@@ -52,15 +58,15 @@ void checkLength(const InputFile& file, std::string_view what, std::uint64_t nee
 
 RawMap readRawMap(const std::filesystem::path& path) {
     InputFile file(path);
-    if (file.remaining() == 0) file.invalid("is empty, expected a PNG, PGM, PPM, PFM or GTX map");
+    if (file.remaining() == 0) file.invalid("is empty, expected a PNG, PGM, PPM, TIFF, EXR, PFM or GTX map");
     std::array<std::uint8_t, 4> magic{};
     file.read(magic.data(), std::min<std::uint64_t>(magic.size(), file.remaining()));
     file.rewind();
     if (const Reader read = readerOf(magic)) return read(file);
     if (hasGtxExtension(path)) return readGtx(file);
     file.invalid(
-        "unknown format: it begins with the bytes {:02x} {:02x} {:02x} {:02x}, expected a PNG, PGM, PPM (P2 P3 P5 P6) "
-        "or PFM, or a GTX grid named .gtx",
+        "unknown format: it begins with the bytes {:02x} {:02x} {:02x} {:02x}, expected a PNG, PGM, PPM (P2 P3 P5 P6), "
+        "TIFF, EXR or PFM, or a GTX grid named .gtx",
         magic[0], magic[1], magic[2], magic[3]);
 }
 

@@ -14,16 +14,18 @@ namespace dsphere {
 struct RawMap {
     int width = 0, height = 0;
     std::vector<float> samples;  ///< row-major, width * height, as stored
-    double full_scale = 1.0;     ///< the stored value that means h = 1: 255, 65535, a PGM's maxval; 1 for floats
+    double full_scale = 1.0;     ///< the stored value that means h = 1: 255, 65535, a PGM's maxval, 32767 for signed 16
+                                 ///< bits; 1 for floats and EXR
     bool gridline = false;       ///< the format's own default registration (GTX)
     std::optional<double> longitude_origin;  ///< degrees at the left edge, where the format says it (GTX)
     std::string type;                        ///< "16-bit PNG", "float32 GTX": for messages and reports
 };
 
-/// Reads PNG 8/16, PGM/PPM (P2 P3 P5 P6, 8/16 bit), PFM or GTX; the content decides, except GTX, which has no magic
-/// and goes by its extension. Throws Error (InvalidInput) naming the file and what is wrong: unknown format, truncated,
-/// absurd size (a side over 2^20 or more than 2^31 texels). Non-finite samples are NOT refused here: see Heightmap.
-/// Nothing is allocated on an unchecked header: the file's length must cover what the header promises.
+/// Reads PNG 8/16, PGM/PPM (P2 P3 P5 P6, 8/16 bit), TIFF (8/16 bit, signed or not, float32), EXR, PFM or GTX; the
+/// content decides, except GTX, which has no magic and goes by its extension. Throws Error (InvalidInput) naming the
+/// file and what is wrong: unknown format, truncated, absurd size (a side over 2^20 or more than 2^31 texels).
+/// Non-finite samples are NOT refused here: see Heightmap. Nothing is allocated on an unchecked header: the file's
+/// length must cover what the header promises.
 RawMap readRawMap(const std::filesystem::path& path);
 
 }  // namespace dsphere

@@ -116,6 +116,12 @@ double numberOf(const Token& token) {
     return value;
 }
 
+bool isNan(const Token& token) {
+    const std::string& text = token.text;
+    auto is = [&](std::size_t i, char lower) { return text[i] == lower || text[i] == lower - 'a' + 'A'; };
+    return token.is(Token::Kind::Word) && text.size() == 3 && is(0, 'n') && is(1, 'a') && is(2, 'n');
+}
+
 int integerOf(const Token& token) {
     std::string_view text = withoutPlus(token.text);
     int value = 0;

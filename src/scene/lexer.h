@@ -52,6 +52,9 @@ class Lexer {
 /// The finite number that the token spells in full. Throws Error (InvalidInput) otherwise.
 double numberOf(const Token& token);
 
+/// Whether the token is the bare word nan, in any case: a number where NaN has a meaning.
+bool isNan(const Token& token);
+
 /// The 32-bit integer that the token spells in full. Throws Error (InvalidInput) otherwise.
 int integerOf(const Token& token);
 

@@ -100,6 +100,13 @@ std::optional<double> Parameters::number(std::string_view name, const Range& ran
     return numberValue(*parameter, range);
 }
 
+std::optional<double> Parameters::numberOrNan(std::string_view name, const Range& range) {
+    const Parameter* parameter = take(name, {"float"});
+    if (!parameter) return {};
+    if (parameter->values.size() == 1 && isNan(parameter->values[0])) return std::numeric_limits<double>::quiet_NaN();
+    return numberValue(*parameter, range);
+}
+
 std::optional<int> Parameters::integer(std::string_view name, int least, int greatest) {
     const Parameter* parameter = take(name, {"integer"});
     if (!parameter) return {};

@@ -51,6 +51,8 @@ class Parameters {
     const Parameter* take(std::string_view name, const Words& types);
 
     std::optional<double> number(std::string_view name, const Range& range);
+    /// As number(), but nan may be given too.
+    std::optional<double> numberOrNan(std::string_view name, const Range& range);
     std::optional<int> integer(std::string_view name, int least, int greatest);
     std::optional<Token> string(std::string_view name);
     std::optional<std::string> choice(std::string_view name, const Words& supported);

@@ -61,6 +61,8 @@ struct DisplacedSphere {
     std::optional<double> height_min, height_max;  ///< stored values that mean h = 0 and h = 1
     std::optional<Registration> registration;      ///< unset: the map's own default
     std::optional<double> longitude_origin;  ///< degrees at the image's left edge; unset: the map's own, else -180
+    double blur = 0.0;                       ///< sigma of a Gaussian in texels, 0 to 1000; 0: none
+    std::optional<double> nodata;            ///< the stored value that means "unknown"; may be NaN
 
     bool operator==(const DisplacedSphere&) const = default;
 };

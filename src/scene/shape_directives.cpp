@@ -5,6 +5,10 @@ namespace dsphere {
 
 namespace {
 
+constexpr Range kBlur{0.0, 1000.0};
+// What rounds to a finite float: maps hold floats.
+constexpr Range kStored{-3.4028235e38, 3.4028235e38};
+
 std::optional<Registration> registrationOf(Parameters& p) {
     std::optional<std::string> word = p.choice("registration", {"texel", "gridline"});
     if (!word) return {};
@@ -27,6 +31,8 @@ DisplacedSphere displacedSphere(Statement s, Parameters& p) {
     sphere.height_min = p.number("heightmin", kAnyNumber);
     sphere.height_max = p.number("heightmax", kAnyNumber);
     sphere.height_scale = p.number("heightscale", kAnyNumber);
+    sphere.blur = p.number("blur", kBlur).value_or(sphere.blur);
+    sphere.nodata = p.numberOrNan("nodata", kStored);
     p.finish();
     if (percent && sphere.height_scale) failAt(s.word.where, "maxdispl and heightscale exclude each other: give one");
     if (sphere.height_min && sphere.height_min == sphere.height_max) failAt(s.word.where, "heightmin equals heightmax");

@@ -121,10 +121,14 @@ std::size_t Bounds::index(int face, int level, int i, int j) const {
     return std::size_t(y) * std::size_t(side) + std::size_t(x);
 }
 
+int boundsSide(int columns) {
+    // A face spans a quarter of the columns, so a finest cell spans about two cells of the map.
+    return std::min(int(std::bit_floor(unsigned(columns) / 8u)), 1024);
+}
+
 Bounds buildBounds(const NodeGrid& nodes, const Relief& relief) {
     Bounds bounds;
-    // A face spans width / 4 columns, so a finest cell spans about two cells of the map.
-    bounds.side = std::min(int(std::bit_floor(unsigned(nodes.width()) / 8u)), 1024);
+    bounds.side = boundsSide(nodes.width());
     bounds.levels = std::bit_width(unsigned(bounds.side));
     bounds.squared.assign(std::size_t(bounds.side) * std::size_t(bounds.imageHeight()), 0.0f);
     parallelFor(std::size_t(6 * bounds.side), [&](std::size_t task) {

@@ -27,6 +27,9 @@ struct Bounds {
     float at(int face, int level, int i, int j) const { return squared[index(face, level, i, j)]; }
 };
 
+/// The side of the bounds over a grid of that many columns; the grids of NodeGrid have at least 512.
+int boundsSide(int columns);
+
 /// Builds the bounds of r = base + scale * stored value, in units of R = `greatest_radius`. Uses all cores.
 Bounds buildBounds(const NodeGrid& nodes, const Relief& relief);
 

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "surface/blur.h"
+#include "surface/fill.h"
 
 namespace dsphere {
 namespace {
@@ -17,12 +19,18 @@ float meanOfRow(const Heightmap& map, int j) {
     return float(sum / map.width);
 }
 
-void requireFinite(const Heightmap& map) {
-    const auto bad = std::ranges::find_if_not(map.samples, [](float s) { return std::isfinite(s); });
+void requireFinite(const Heightmap& map, const Nodata& nodata) {
+    const auto bad = std::ranges::find_if_not(map.samples, [&](float s) { return std::isfinite(s) || nodata.is(s); });
     if (bad == map.samples.end()) return;
     const std::size_t index = std::size_t(bad - map.samples.begin()), width = std::size_t(map.width);
     throwInvalid("{}: the sample at column {}, row {} is {}, expected a finite number", map.path, index % width,
                  index / width, *bad);
+}
+
+void fill(Heightmap& map, const Nodata& nodata) {
+    map.nodata_count = fillNodata(map.samples, map.width, map.height, nodata);
+    if (map.nodata_count == map.samples.size())
+        throwInvalid("{}: every one of the {}x{} texels holds the nodata value", map.path, map.width, map.height);
 }
 
 /// "column 3, row 0 (latitude 89.75, longitude -178.25 degrees)", the latter in the map's own range.
@@ -58,10 +66,13 @@ Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape) {
     map.samples = std::move(raw.samples);
     map.path = shape.map_path;
     map.type = std::move(raw.type);
-    requireFinite(map);
+    const Nodata nodata(shape.nodata);
+    requireFinite(map, nodata);
     if (map.registration == Registration::Gridline && map.height < 2)
         throwInvalid("{}: a map of gridline registration has {} row, expected at least 2, one at each pole", map.path,
                      map.height);
+    fill(map, nodata);
+    if (shape.blur > 0.0) blurMap(map.samples, map.width, map.height, shape.blur);
     map.north_pole = meanOfRow(map, 0);
     map.south_pole = meanOfRow(map, map.height - 1);
     if (map.registration == Registration::Gridline) {
@@ -78,6 +89,7 @@ Heightmap loadHeightmap(const DisplacedSphere& shape) {
     if (!shape.map_path.empty()) return makeHeightmap(readRawMap(shape.map_path), shape);
     DisplacedSphere smooth = shape;
     smooth.registration = Registration::Texel;  // a single value has no grid lines
+    smooth.nodata.reset();
     RawMap flat;
     flat.width = flat.height = 1;
     flat.samples = {0.0f};

@@ -20,14 +20,16 @@ struct Heightmap {
     std::vector<float> samples;        ///< row-major, first row northmost; all finite
     float north_pole = 0.0f, south_pole = 0.0f;
     float least = 0.0f, greatest = 0.0f;  ///< of all samples
+    std::size_t nodata_count = 0;         ///< texels that held the shape's nodata value, before they were filled
     std::string path, type;
 
     float at(int i, int j) const { return samples[std::size_t(j) * std::size_t(width) + std::size_t(i)]; }
 };
 
-/// Reads the shape's map and applies its registration and longitude origin (the scene's, else the file's own, else
-/// texel and -180). An empty map path gives a 1x1 map of 0. Throws Error (InvalidInput): unreadable file, a
-/// non-finite sample (names column and row), gridline registration with fewer than 2 rows.
+/// Reads the shape's map, fills its nodata texels (fillNodata), then blurs it (blurMap), then forms the poles; applies
+/// its registration and longitude origin (the scene's, else the file's own, else texel and -180). An empty map path
+/// gives a 1x1 map of 0. Throws Error (InvalidInput): unreadable file, a non-finite sample that is not nodata (names
+/// column and row), nothing but nodata, gridline registration with fewer than 2 rows.
 Heightmap loadHeightmap(const DisplacedSphere& shape);
 
 /// The same from samples already in memory (tests, generated maps).

@@ -1,13 +1,21 @@
 #include "surface/scenemaps.h"
 
+#include <cmath>
+
 #include "base/error.h"
 
 namespace dsphere {
 
 namespace {
 
+/// NaN, which differs from itself, is one and the same here.
+bool sameValue(const std::optional<double>& a, const std::optional<double>& b) {
+    return a == b || (a && b && std::isnan(*a) && std::isnan(*b));
+}
+
 bool sameMap(const DisplacedSphere& a, const DisplacedSphere& b) {
-    return a.map_path == b.map_path && a.registration == b.registration && a.longitude_origin == b.longitude_origin;
+    return a.map_path == b.map_path && a.registration == b.registration && a.longitude_origin == b.longitude_origin &&
+           a.blur == b.blur && sameValue(a.nodata, b.nodata);
 }
 
 std::unique_ptr<Heightmap> load(const DisplacedSphere& sphere, const SourceLocation& where) {

@@ -29,7 +29,7 @@ class CliTest : public testing::Test {
                "Film \"rgb\" \"string filename\" \"film.exr\" \"integer xresolution\" 64 \"integer yresolution\" 48\n"
                "Sampler \"independent\" \"integer pixelsamples\" 4\n"
                "WorldBegin\n"
-               "LightSource \"distant\" \"point3 from\" [1 0 .5]\n"
+               "LightSource \"distant\" \"point3 from\" [1 0 .5] \"point3 to\" [0 0 0]\n"
                "Shape \"displacedsphere\" \"string displacementmap\" \"map.pgm\" " +
                displacement +
                "\n"

@@ -33,7 +33,7 @@ TEST_F(SignalTest, TerminationIs143) {
 }
 
 TEST_F(SignalTest, InterruptEndsVerify) {
-    Launch launch{.arguments = {"verify", "planet.pbrt", "--progress", "always", "--resolution", "4096,3072"}};
+    Launch launch{.arguments = {"verify", "planet.pbrt", "--progress", "always", "--resolution", "1600,1200"}};
     launch.signal = SIGINT;
     EXPECT_EQ(run(launch).code, 130);
     EXPECT_EQ(folder_.entries(), 2u);

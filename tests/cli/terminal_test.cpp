@@ -9,7 +9,8 @@ class TerminalTest : public CliTest {
   protected:
     /// Renders long enough for a progress line to be due.
     Outcome render(bool terminal, std::vector<std::string> options) {
-        options.insert(options.begin(), {"render", "planet.pbrt", "--resolution", "640,480", "--spp", "32"});
+        options.insert(options.begin(),
+                       {"render", "planet.pbrt", "--device", "cpu", "--resolution", "640,480", "--spp", "12"});
         Outcome outcome = run(Launch{.arguments = options, .terminal = terminal});
         EXPECT_EQ(outcome.code, 0) << outcome.err;
         EXPECT_EQ(outcome.out, "");

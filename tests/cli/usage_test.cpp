@@ -40,6 +40,11 @@ struct UsageCase {
     std::string part;
 };
 
+void PrintTo(const UsageCase& c, std::ostream* out) {
+    *out << "dsphere";
+    for (const std::string& word : c.words) *out << ' ' << word;
+}
+
 class UsageTest : public CliTest, public testing::WithParamInterface<UsageCase> {};
 
 TEST_P(UsageTest, IsExitCode2) {

@@ -33,7 +33,7 @@ TEST(RawMap, ContentDecidesWhateverTheName) {
 
 TEST(RawMap, RefusesOtherFormats) {
     const TempFolder folder;
-    EXPECT_TRUE(holds(refusalOf(folder.write("a.tif", "II*\0 0000")), "49 49 2a"));
+    EXPECT_TRUE(holds(refusalOf(folder.write("a.tif", "II\x2b*0000")), "49 49 2b 2a"));
     EXPECT_TRUE(holds(refusalOf(folder.write("a.pbm", "P4 1 1 0")), "unknown format"));
     EXPECT_TRUE(holds(refusalOf(folder.write("a.dat", "x")), "unknown format"));
     EXPECT_TRUE(holds(refusalOf(folder.write("a.png", "")), "is empty"));

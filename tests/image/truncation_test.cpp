@@ -8,6 +8,8 @@
 #include "image/picture.h"
 #include "image/rawmap.h"
 #include "tests/image/encoders.h"
+#include "tests/image/exrwriter.h"
+#include "tests/image/tiffwriter.h"
 #include "tests/support/expecterror.h"
 #include "tests/support/tempfolder.h"
 
@@ -17,6 +19,23 @@ namespace {
 struct Sample {
     std::string name, bytes;
 };
+
+TiffForm deflated(const std::string& mode) {
+    TiffForm form;
+    form.mode = mode;
+    form.compression = COMPRESSION_ADOBE_DEFLATE;
+    return form;
+}
+
+TiffForm colourTiles() {
+    TiffForm form;
+    form.samples = 3;
+    form.photometric = PHOTOMETRIC_RGB;
+    form.planar = PLANARCONFIG_SEPARATE;
+    form.compression = COMPRESSION_LZW;
+    form.tile_width = form.tile_height = 16;
+    return form;
+}
 
 std::vector<Sample> smallFiles() {
     const std::string palette = pngChunk("PLTE", {0, 0, 0, 10, 10, 10, 1, 2, 3});
@@ -33,6 +52,12 @@ std::vector<Sample> smallFiles() {
         {"grey.pfm", pfmFile(3, 2, floatRamp(6), true)},
         {"rgb.pfm", pfmFile(2, 2, floatRamp(12), false)},
         {"globe.gtx", gtxFile({}, floatRamp(40))},
+        {"strips.tif", tiffFile<std::uint16_t>({}, 5, 8, std::vector<std::uint16_t>(40, 258))},
+        {"float.tif", tiffFile<float>(deflated("wb"), 5, 8, floatRamp(40))},
+        {"rgb.tif", tiffFile<std::uint8_t>(colourTiles(), 5, 3, std::vector<std::uint8_t>(45, 7))},
+        {"big.tif", tiffFile<float>(deflated("w8"), 5, 8, floatRamp(40))},
+        {"lines.exr", exrFile<float>({1, 2, 6, 10}, {{"Y", floatRamp(40)}})},
+        {"tiles.exr", exrFile<half>({0, 0, 20, 3}, {{"Y", std::vector<half>(60, half(0.3f))}}, 16)},
     };
 }
 

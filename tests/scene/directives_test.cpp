@@ -166,6 +166,21 @@ TEST(Directives, DisplacedSphereInTrueScale) {
     EXPECT_FALSE(sphere.height_min || sphere.height_max || sphere.longitude_origin);
 }
 
+TEST(Directives, BlurAndNodata) {
+    auto with = [](const std::string& parameters) {
+        return onlyGeometry<DisplacedSphere>("Shape \"displacedsphere\" " + parameters);
+    };
+    EXPECT_EQ(with("").blur, 0.0);
+    EXPECT_FALSE(with("").nodata);
+    EXPECT_EQ(with("\"float blur\" 1000").blur, 1000.0);
+    EXPECT_EQ(with("\"float nodata\" [-9999]").nodata, -9999.0);
+    EXPECT_EQ(with("\"float nodata\" -3.4028235e38").nodata, -3.4028235e38);
+    for (std::string nan : {"nan", "NaN", "NAN", "[nan]"}) {
+        auto nodata = with("\"float nodata\" " + nan).nodata;
+        EXPECT_TRUE(nodata && std::isnan(*nodata)) << nan;
+    }
+}
+
 TEST(Directives, SphereAndDisk) {
     EXPECT_EQ(onlyGeometry<Sphere>("Shape \"sphere\" \"float radius\" 1e-3").radius, 1e-3);
     EXPECT_EQ(onlyGeometry<Disk>("Shape \"disk\""), (Disk{0.0, 1.0, 0.0}));

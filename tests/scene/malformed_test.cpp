@@ -129,7 +129,8 @@ TEST(Malformed, Parameters) {
 
 TEST(Malformed, Options) {
     expectAll({
-        {"Camera \"orthographic\"", "1:8", "unknown camera \"orthographic\"; supported: perspective"},
+        {"Camera \"fisheye\"", "1:8", "unknown camera \"fisheye\"; supported: perspective, orthographic"},
+        {"Camera \"orthographic\" \"float fov\" 40", "1:23", "fov"},
         {"Camera \"perspective\" \"float fov\" 0", "1:34", "parameter \"fov\" is 0; supported: in (0, 180)"},
         {"Camera \"perspective\" \"float fov\" 180", "1:34", "is 180; supported: in (0, 180)"},
         {"Camera \"perspective\" \"float lensradius\" 1", "1:22", "unknown parameter \"lensradius\""},
@@ -208,7 +209,17 @@ TEST(Malformed, LightsAndShapes) {
          "exclude each other"},
         {"WorldBegin Shape \"displacedsphere\" \"float heightmin\" 3 \"float heightmax\" 3", "1:12",
          "heightmin equals heightmax"},
-        {"WorldBegin Shape \"displacedsphere\" \"float blur\" 1", "1:36", "unknown parameter \"blur\""},
+        {"WorldBegin Shape \"displacedsphere\" \"float smooth\" 1", "1:36", "unknown parameter \"smooth\""},
+        {"WorldBegin Shape \"displacedsphere\" \"float blur\" -1", "1:49", "is -1; supported: in [0, 1000]"},
+        {"WorldBegin Shape \"displacedsphere\" \"float blur\" 1000.5", "1:49", "supported: in [0, 1000]"},
+        {"WorldBegin Shape \"displacedsphere\" \"float blur\" nan", "1:49", "not a finite number"},
+        {"WorldBegin Shape \"displacedsphere\" \"float midlevel\" nan", "1:53", "not a finite number"},
+        {"WorldBegin Shape \"displacedsphere\" \"float nodata\" inf", "1:51", "not a finite number"},
+        {"WorldBegin Shape \"displacedsphere\" \"float nodata\" -nan", "1:51", "not a finite number"},
+        {"WorldBegin Shape \"displacedsphere\" \"float nodata\" none", "1:51", "expected a number"},
+        {"WorldBegin Shape \"displacedsphere\" \"float nodata\" \"nan\"", "1:51", "expected a number"},
+        {"WorldBegin Shape \"displacedsphere\" \"float nodata\" 1e39", "1:51", "supported: in [-3.4028235e+38"},
+        {"WorldBegin Shape \"displacedsphere\" \"float nodata\" [nan 1]", "1:36", "takes 1 value, found 2"},
     });
 }
 

@@ -95,6 +95,7 @@ AttributeBegin
     Shape "displacedsphere" "float radius" 1.5 "string displacementmap" "moon.png" "float maxdispl" -4
         "float midlevel" .5 "string filter" "bilinear" "string registration" "gridline"
         "float lonorigin" 0 "float heightmin" -10 "float heightmax" 100
+        "float blur" 1.5 "float nodata" nan
 AttributeEnd
 TransformBegin
     Translate 3 0 0

@@ -1,0 +1,22 @@
+# What `cmake --install` puts beside the program, and the Debian package that `cpack -G DEB` makes of it.
+include(GNUInstallDirs)
+install(DIRECTORY assets/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/dsphere FILES_MATCHING PATTERN "*.pbrt")
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md")
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
+install(FILES completions/dsphere.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME dsphere)
+install(FILES completions/_dsphere DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+install(FILES completions/dsphere.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "The dsphere authors")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# The loader is opened at run time, which shlibdeps cannot see; a driver may come from elsewhere, the geoid is a sample.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS libvulkan1)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS mesa-vulkan-drivers)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS proj-data)
+include(CPack)

@@ -1,0 +1,207 @@
+#include "base/error.h"
+#include "cli/commands.h"
+#include "image/rawmap.h"
+#include "scene/parser.h"
+#include "surface/bounds.h"
+#include "surface/scenemaps.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace dsphere::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vectorJson(const dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+const char* nameOf(Registration registration) {
+    return registration == Registration::Texel ? "texel" : "gridline";
+}
+
+// What the marcher reads of a map: a float a node, the bounds of one relief, and two rows of edge directions.
+std::uint64_t deviceBytes(const NodeGrid& nodes) {
+    std::uint64_t side = std::uint64_t(boundsSide(nodes.width()));
+    std::uint64_t node_count = std::uint64_t(nodes.width()) * std::uint64_t(nodes.rows() + 1);
+    std::uint64_t edges = 2 * std::uint64_t(std::max(nodes.width(), nodes.rows()));
+    return 4 * node_count + 4 * 9 * side * side + 16 * edges;
+}
+
+// A texel by its place in the file and on the planet, degrees.
+Json placeOf(const RawMap& map, std::size_t index, double longitude_origin) {
+    std::size_t i = index % std::size_t(map.width), j = index / std::size_t(map.width);
+    double shift = map.gridline ? 0.0 : 0.5;
+    double steps = map.gridline ? std::max(map.height - 1, 1) : map.height;
+    double longitude = longitude_origin + (double(i) + shift) * 360.0 / map.width;
+    return {{"value", map.samples[index]},
+            {"column", i},
+            {"row", j},
+            {"latitude", 90.0 - (double(j) + shift) * 180.0 / steps},
+            {"longitude", longitude - 360.0 * std::floor((longitude + 180.0) / 360.0)}};
+}
+
+Json describeSamples(const RawMap& map, double longitude_origin) {
+    std::size_t least = map.samples.size(), greatest = least, finite = 0;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < map.samples.size(); ++k) {
+        float value = map.samples[k];
+        if (!std::isfinite(value)) continue;
+        ++finite;
+        sum += double(value);
+        if (least == map.samples.size() || value < map.samples[least]) least = k;
+        if (greatest == map.samples.size() || value > map.samples[greatest]) greatest = k;
+    }
+    Json json = {{"least", nullptr}, {"greatest", nullptr}, {"mean", nullptr}};
+    if (finite > 0)
+        json = {{"least", placeOf(map, least, longitude_origin)},
+                {"greatest", placeOf(map, greatest, longitude_origin)},
+                {"mean", sum / double(finite)}};
+    json["non_finite_texels"] = map.samples.size() - finite;
+    return json;
+}
+
+Json describeMapFile(const std::string& path) {
+    RawMap map = readRawMap(path);
+    double longitude_origin = map.longitude_origin.value_or(-180.0);
+    Json json = {{"map", path}, {"type", map.type}, {"width", map.width}, {"height", map.height}};
+    json.update(describeSamples(map, longitude_origin));
+    json["full_scale"] = map.full_scale;
+    json["registration"] = nameOf(map.gridline ? Registration::Gridline : Registration::Texel);
+    json["longitude_origin"] = longitude_origin;
+    // Their values do not matter to the nodes' number, which is what is asked here.
+    std::replace_if(
+        map.samples.begin(), map.samples.end(), [](float value) { return !std::isfinite(value); }, 0.0f);
+    DisplacedSphere shape;
+    shape.map_path = path;
+    const Heightmap heightmap = makeHeightmap(std::move(map), shape);
+    json["device_bytes"] = deviceBytes(NodeGrid(heightmap));
+    return json;
+}
+
+Json describeMap(const Heightmap& map) {
+    return {{"path", map.path.empty() ? Json(nullptr) : Json(map.path)},
+            {"type", map.type},
+            {"width", map.width},
+            {"height", map.height},
+            {"least", map.least},
+            {"greatest", map.greatest},
+            {"nodata_texels", map.nodata_count},
+            {"registration", nameOf(map.registration)},
+            {"longitude_origin", map.longitude_origin},
+            {"device_bytes", deviceBytes(NodeGrid(map))}};
+}
+
+Json describeCamera(const Camera& camera) {
+    dmat4 world_from_camera = glm::inverse(camera.camera_from_world);
+    Json json = {{"position", vectorJson(transformPoint(world_from_camera, dvec3(0.0)))},
+                 {"direction", vectorJson(glm::normalize(transformVector(world_from_camera, {0.0, 0.0, 1.0})))}};
+    if (camera.projection == Projection::Perspective)
+        json["fov_degrees"] = camera.fov_degrees;
+    else
+        json["projection"] = "orthographic";
+    return json;
+}
+
+Json describeShape(const Scene& scene, const SceneMaps& maps, std::size_t index) {
+    const Shape& shape = scene.shapes[index];
+    Json json = {{"where", shape.where.text()}};
+    if (const auto* sphere = std::get_if<DisplacedSphere>(&shape.geometry)) {
+        const Relief& relief = maps.reliefs[index];
+        json["type"] = "displacedsphere";
+        json["radius"] = sphere->radius;
+        json["displacement"] = {relief.least_radius - sphere->radius, relief.greatest_radius - sphere->radius};
+        json["greatest_radius"] = relief.greatest_radius;
+        json["map"] = maps.map_of_shape[index];
+    } else if (const auto* plain = std::get_if<Sphere>(&shape.geometry)) {
+        json["type"] = "sphere";
+        json["radius"] = plain->radius;
+    } else if (const auto* disk = std::get_if<Disk>(&shape.geometry)) {
+        json["type"] = "disk";
+        json["radius"] = disk->radius;
+    } else {
+        json["type"] = "other";
+    }
+    json["centre"] = vectorJson(transformPoint(shape.world_from_object, dvec3(0.0)));
+    return json;
+}
+
+Json describeLight(const Light& light) {
+    if (const auto* sun = std::get_if<DistantLight>(&light))
+        return {{"type", "distant"}, {"towards", vectorJson(sun->direction)}, {"L", vectorJson(sun->radiance)}};
+    if (const auto* point = std::get_if<PointLight>(&light))
+        return {{"type", "point"}, {"from", vectorJson(point->position)}, {"I", vectorJson(point->intensity)}};
+    return {{"type", "other"}};
+}
+
+Json describeSceneFile(const std::string& path) {
+    Scene scene = parseSceneFile(path);
+    SceneMaps maps = loadSceneMaps(scene);
+    Json json = {{"scene", scene.name},
+                 {"film",
+                  {{"filename", scene.film.filename},
+                   {"resolution", {scene.film.width, scene.film.height}},
+                   {"crop", scene.film.crop},
+                   {"pixel_samples", scene.sampler.pixel_samples}}},
+                 {"camera", describeCamera(scene.camera)},
+                 {"shapes", Json::array()},
+                 {"maps", Json::array()},
+                 {"lights", Json::array()}};
+    for (std::size_t k = 0; k < scene.shapes.size(); ++k) json["shapes"].push_back(describeShape(scene, maps, k));
+    for (const auto& map : maps.maps) json["maps"].push_back(describeMap(*map));
+    for (const Light& light : scene.lights) json["lights"].push_back(describeLight(light));
+    return json;
+}
+
+std::string plainText(const Json& value) {
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_null()) return "none";
+    if (value.is_number_float()) return fmt::format("{:.8g}", value.get<double>());
+    return value.dump();
+}
+
+// The JSON as lines of "key value", parts indented, a list of numbers on one line.
+void printText(const Json& json, int indent) {
+    for (const auto& [key, value] : json.items()) {
+        std::string label = fmt::format("{:{}}{}", "", indent, key);
+        std::replace(label.begin(), label.end(), '_', ' ');
+        if (value.is_array() && !value.empty() && value[0].is_number()) {
+            std::string line;
+            for (const Json& item : value) line += plainText(item) + " ";
+            fmt::print("{:<24}{}\n", label, line.substr(0, line.size() - 1));
+        } else if (value.is_structured() && !value.empty()) {
+            fmt::print("{}\n", label);
+            printText(value, indent + 2);
+        } else {
+            fmt::print("{:<24}{}\n", label, value.is_array() ? "none" : plainText(value));
+        }
+    }
+}
+
+int runInfo(const std::string& path, bool as_json) {
+    bool scene = path == "-" || std::filesystem::path(path).extension() == ".pbrt";
+    Json json = scene ? describeSceneFile(path) : describeMapFile(path);
+    if (as_json)
+        fmt::print("{}\n", json.dump(2));
+    else
+        printText(json, 0);
+    return int(ExitCode::Ok);
+}
+
+}  // namespace
+
+void addInfo(CLI::App& app, Action& action) {
+    CLI::App* command = app.add_subcommand("info", "Say what a scene or a map holds; needs no device");
+    auto path = std::make_shared<std::string>();
+    auto json = std::make_shared<bool>(false);
+    command->add_option("file", *path, "Scene (.pbrt, or - for standard input) or map (any other name)")
+        ->type_name("FILE")
+        ->required();
+    command->add_flag("--json", *json, "Print as JSON");
+    command->callback([path, json, &action] { action = [path, json] { return runInfo(*path, *json); }; });
+}
+
+}  // namespace dsphere::cli

@@ -1,0 +1,33 @@
+#pragma once
+
+// Maps and what is made of them, for the tests of grids and bounds.
+
+#include "surface/nodes.h"
+#include "tests/support/testmaps.h"
+
+#include <memory>
+
+namespace dsphere::test {
+
+/// A map, its shape and its relief.
+struct Planet {
+    DisplacedSphere shape;
+    Heightmap map;
+    Relief relief;
+};
+
+/// The map stretched over [0, 1] by heightmax; maxdispl in percent of the radius 2.
+inline std::unique_ptr<Planet> makePlanet(RawMap raw, Registration registration, double max_displacement,
+                                          double longitude_origin = -180.0) {
+    auto planet = std::make_unique<Planet>();
+    planet->shape.radius = 2.0;
+    planet->shape.max_displacement = max_displacement;
+    planet->shape.height_max = 65535.0;
+    planet->shape.registration = registration;
+    planet->shape.longitude_origin = longitude_origin;
+    planet->map = makeHeightmap(std::move(raw), planet->shape);
+    planet->relief = makeRelief(planet->shape, planet->map, {});
+    return planet;
+}
+
+}  // namespace dsphere::test
