@@ -99,7 +99,7 @@ void Renderer::runTiles(Pass& pass, int sample, double done_before, double share
         }
         double seconds = batch_.submit();
         stats_.device_seconds += seconds;
-        if (seconds < 0.5 * kSubmitTarget) pass.tiles_at_once *= 2;
+        if (seconds < 0.5 * kSubmitTarget) pass.tiles_at_once = std::min(2 * pass.tiles_at_once, count);
         if (seconds > 2.0 * kSubmitTarget) pass.tiles_at_once = std::max<std::size_t>(1, pass.tiles_at_once / 2);
         tile = end;
         if (progress && !progress(done_before + share * double(tile) / double(count)))

@@ -182,6 +182,19 @@ void Comparison::checkShadow(Report& report, std::uint64_t index, const Answer& 
                                        device_lit ? "lit" : "shadowed", lit ? "lit" : "shadowed", cosine));
 }
 
+// How much a shape's reflectance can change within the rounding of a float position: on a steep map a height ramp turns
+// 5e-8 R sideways into 1e-4 of its colour.
+dvec3 Comparison::reflectanceSpread(const Answer& answer) const {
+    constexpr double kPositionRounding = 5.2e-8;  // half an ulp below 1 in each of three coordinates, in R
+    dvec3 centre = tracer_.reflectance(answer.shape, answer.object_position), spread(0.0);
+    double step = kPositionRounding * unit(answer.shape);
+    for (const dvec3& offset : ringOffsets(answer.object_position, step)) {
+        dvec3 beside = tracer_.reflectance(answer.shape, answer.object_position + offset);
+        spread = glm::max(spread, glm::abs(beside - centre));
+    }
+    return spread;
+}
+
 // A cosine of two float vectors is off by a few 1e-7 whatever its size, hence the part of the bound that does not
 // shrink towards the terminator.
 void Comparison::checkColour(Report& report, std::uint64_t index, const Answer& answer,
@@ -195,12 +208,15 @@ void Comparison::checkColour(Report& report, std::uint64_t index, const Answer& 
         else
             full += std::get<DistantLight>(source).radiance;
     }
-    full *= tracer_.reflectance(answer.shape, answer.object_position) / kPi;
+    dvec3 reflectance = tracer_.reflectance(answer.shape, answer.object_position);
+    const Texture& texture = scene_.shapes[std::size_t(answer.shape)].material.reflectance;
+    dvec3 spread = std::holds_alternative<HeightRamp>(texture) ? reflectanceSpread(answer) : dvec3(0.0);
     ++report.colours;
     double worst = 0.0;
     for (int c = 0; c < 3; ++c) {
-        double bound = contract::kColour * colour[c] + 1e-6 * full[c] + 1e-30;
-        worst = std::max(worst, std::abs(light.colour[c] - colour[c]) / bound);
+        double irradiance = reflectance[c] > 0.0 ? colour[c] / reflectance[c] : full[c] / kPi;
+        double bound = contract::kColour * colour[c] + 1e-6 * reflectance[c] * full[c] / kPi + spread[c] * irradiance;
+        worst = std::max(worst, std::abs(light.colour[c] - colour[c]) / (bound + 1e-30));
     }
     report.worst_colour = std::max(report.worst_colour, worst);
     if (worst <= 1.0) return;

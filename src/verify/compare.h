@@ -55,6 +55,7 @@ class Comparison {
                      std::size_t k) const;
     bool tangentShadow(const Answer& answer, const LightAnswer& light, const WorldRay& shadow, double t_max,
                        bool device_lit) const;
+    dvec3 reflectanceSpread(const Answer& answer) const;
     void checkColour(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light) const;
 
     const Scene& scene_;
