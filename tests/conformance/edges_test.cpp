@@ -29,15 +29,17 @@ struct Lattice {
         dvec3 w = direction(longitude, latitude);
         return surface.radius(w) / unit * w;
     }
-    /// Whether n is the normal of the patch at p or of one that p is within 2e-6 R of, to the contract's angle.
+    /// Whether n is the normal of the patch at p or of one that p is within 1e-6 R of, to the contract's angle. Short
+    /// steps first: within a steep patch the normal turns by more than that angle in 1e-6 R.
     bool meetsNormal(const dvec3& p, const dvec3& n) const {
-        double longitude = std::atan2(p.x, p.z), latitude = std::asin(p.y / glm::length(p)), step = 2e-6;
-        for (int k = 0; k < 9; ++k) {
-            dvec3 beside =
-                p + step * (double(k % 3 - 1) * east(longitude) + double(k / 3 - 1) * north(longitude, latitude));
-            dvec3 truth = surface.normal(beside * unit);
-            double angle = std::atan2(glm::length(glm::cross(truth, n)), glm::dot(truth, n));
-            if (glm::degrees(angle) <= verify::contract::kNormalDegrees) return true;
+        double longitude = std::atan2(p.x, p.z), latitude = std::asin(p.y / glm::length(p));
+        for (double step : {3e-8, 1e-7, 3e-7, 1e-6}) {
+            for (int k = 0; k < 9; ++k) {
+                dvec3 across = double(k % 3 - 1) * east(longitude) + double(k / 3 - 1) * north(longitude, latitude);
+                dvec3 truth = surface.normal((p + step * across) * unit);
+                double angle = std::atan2(glm::length(glm::cross(truth, n)), glm::dot(truth, n));
+                if (glm::degrees(angle) <= verify::contract::kNormalDegrees) return true;
+            }
         }
         return false;
     }

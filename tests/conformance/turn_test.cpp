@@ -67,8 +67,8 @@ TEST_P(Turn, ByWholeTexelsChangesNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(By, Turn,
-                         testing::Values(TurnCase{"1", 1}, TurnCase{"100", 100}, TurnCase{"256", 256},
-                                         TurnCase{"511", 511}),
+                         testing::Values(TurnCase{"1Texel", 1}, TurnCase{"100Texels", 100}, TurnCase{"256Texels", 256},
+                                         TurnCase{"511Texels", 511}),
                          caseName<TurnCase>);
 
 }  // namespace

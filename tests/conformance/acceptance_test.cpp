@@ -1,0 +1,83 @@
+// The main picture's map and three generated ones, 4096x2048, every pixel of 1280x720 in three views: 921,600 rays
+// each.
+
+#include "tests/conformance/fixture.h"
+#include "tests/support/testmaps.h"
+
+#include <filesystem>
+
+namespace dsphere::conformance {
+namespace {
+
+using Acceptance = Conformance;
+
+constexpr int kWidth = 4096, kHeight = 2048;
+
+struct View {
+    const char* name;
+    dvec3 eye, target;  // `eye` and `target` in units of the greatest radius
+    double fov;
+};
+
+// The camera of the last stands just above the highest peak and looks along the ground.
+const View kViews[] = {{"whole planet", {2.4, 1.2, 1.6}, {0.0, 0.0, 0.0}, 40.0},
+                       {"limb", {1.25, 0.35, 0.2}, {0.3, 0.85, -0.35}, 35.0},
+                       {"horizon", {0.0, 0.3515, 0.9407}, {0.9, 0.25, 0.75}, 60.0}};
+
+void expectAllViews(World world) {
+    world.addSun(dvec3(1.5, 1.8, 1.9));
+    world.scene.film.width = 1280;
+    world.scene.film.height = 720;
+    for (const View& view : kViews) {
+        SCOPED_TRACE(view.name);
+        world.lookAt(view.eye * world.unit(), view.target * world.unit(), dvec3(0.0, 1.0, 0.0), view.fov);
+        verify::Report report = picture(world).report;
+        EXPECT_GT(report.hits, 150000u);
+        EXPECT_GT(report.shadow_rays, 150000u);
+        expectContract(report);
+        std::printf("%s: %llu tangent, distance 99.9 %% %.2g, greatest %.2g\n", view.name,
+                    static_cast<unsigned long long>(report.tangent), report.distanceQuantile(0.999),
+                    report.distanceQuantile(1.0));
+    }
+}
+
+TEST_F(Acceptance, Fractal) {
+    expectAllViews(sphereWorld(test::fractalMap(kWidth, kHeight), 5.0));
+}
+TEST_F(Acceptance, Spikes) {
+    expectAllViews(sphereWorld(test::spikeMap(kWidth, kHeight), 60.0));
+}
+TEST_F(Acceptance, Checkerboard) {
+    expectAllViews(sphereWorld(test::checkerboardMap(kWidth, kHeight), 25.0));
+}
+
+TEST_F(Acceptance, Geoid) {
+    const char* path = "/usr/share/proj/egm96_15.gtx";
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << "the package proj-data is not installed";
+    DisplacedSphere sphere;
+    sphere.max_displacement = 45.0;
+    sphere.height_min = -107.0;
+    sphere.height_max = 86.0;
+    sphere.midlevel = 0.55;
+    expectAllViews(sphereWorld(readRawMap(path), sphere));
+}
+
+// From 1e6 R, through a field of view that shows the same, the answers are as exact as from 3 R.
+TEST_F(Acceptance, FarAsNear) {
+    World world = sphereWorld(test::fractalMap(1024, 512), 5.0);
+    world.addSun(dvec3(1.5, 1.8, 1.9));
+    world.scene.film.width = 640;
+    world.scene.film.height = 360;
+    dvec3 towards = glm::normalize(dvec3(2.4, 1.2, 1.6));
+    for (double distance : {3.0, 1e6}) {
+        SCOPED_TRACE(distance);
+        world.lookAt(towards * distance * world.unit(), dvec3(0.0), dvec3(0.0, 1.0, 0.0), pictureFov(distance, 0.8));
+        verify::Report report = picture(world).report;
+        expectContract(report);
+        EXPECT_LE(report.distanceQuantile(0.999), 1e-7);
+        EXPECT_LE(report.worst_along_ray, 1.0);
+    }
+}
+
+}  // namespace
+}  // namespace dsphere::conformance

@@ -1,0 +1,112 @@
+#include "tests/render/world.h"
+#include "tests/support/keepdriver.h"
+
+#include <cmath>
+
+namespace dsphere::test {
+namespace {
+
+class RendererTest : public WorldTest {
+  protected:
+    void TearDown() override {
+        for (const std::string& message : device_.validationMessages()) ADD_FAILURE() << message;
+    }
+    static std::size_t at(int x, int y) { return std::size_t(y) * kWidth + std::size_t(x); }
+
+    gpu::Device device_{{"", true}};
+};
+
+TEST_F(RendererTest, CropsArePartsOfTheWhole) {
+    World whole = world(planet());
+    Image picture = Renderer(device_, whole.packed, whole.scene, Marcher::Exact).renderPlanes(kVerifyPlanes, {});
+    EXPECT_EQ(picture.channels.size(), std::size_t(PLANE_COUNT));
+    for (std::array<double, 4> crop :
+         {std::array{0.3, 0.8, 0.2, 0.9}, std::array{0.0, 0.02, 0.0, 0.03}, std::array{0.5, 0.51, 0.0, 1.0}}) {
+        World part = world(planet());
+        part.scene.film.crop = crop;
+        Image cut = Renderer(device_, part.packed, part.scene, Marcher::Exact).renderPlanes(kVerifyPlanes, {});
+        EXPECT_EQ(cut.display, (Box{0, 0, kWidth, kHeight}));
+        ASSERT_EQ(cut.data, cropBox(part.scene.film));
+        for (std::size_t c = 0; c < cut.channels.size(); ++c)
+            for (std::size_t i = 0; i < cut.pixelCount(); ++i) {
+                std::size_t k = at(cut.data.x0 + int(i) % cut.data.width(), cut.data.y0 + int(i) / cut.data.width());
+                if (cut.channels[c].isFloat())
+                    ASSERT_EQ(cut.channels[c].floats()[i], picture.channels[c].floats()[k]) << cut.channels[c].name;
+                else
+                    ASSERT_EQ(cut.channels[c].uints()[i], picture.channels[c].uints()[k]) << cut.channels[c].name;
+            }
+    }
+}
+
+// Rows far below, beside and between the objects are never dispatched.
+TEST_F(RendererTest, UndispatchedPixelsAreMisses) {
+    World made = world("Translate -1 .6 0\nShape \"sphere\" \"float radius\" .3\n");
+    Image image = Renderer(device_, made.packed, made.scene, Marcher::Exact).renderPlanes(kAovPlanes, {});
+    int misses = 0;
+    for (std::size_t i = 0; i < image.pixelCount(); ++i) {
+        bool miss = image.at("id").uints()[i] == 0;
+        ASSERT_EQ(std::isinf(image.at("t").floats()[i]), miss) << "pixel " << i;
+        misses += miss;
+    }
+    EXPECT_GT(misses, kWidth * kHeight / 2);
+    EXPECT_LT(misses, kWidth * kHeight);
+}
+
+TEST_F(RendererTest, ColourIsTheMeanOfItsSamples) {
+    World made = world(planet());
+    Renderer renderer(device_, made.packed, made.scene, Marcher::Exact);
+    Image few = renderer.renderColour(2, 5, {}), many = renderer.renderColour(64, 5, {});
+    double sums[2] = {};
+    for (std::size_t i = 0; i < few.pixelCount(); ++i) {
+        sums[0] += few.at("R").floats()[i];
+        sums[1] += many.at("R").floats()[i];
+    }
+    EXPECT_NEAR(sums[0] / sums[1], 1.0, 0.02);
+    EXPECT_EQ(renderer.stats().camera_rays, 66u * kWidth * kHeight);
+    EXPECT_GT(renderer.stats().device_seconds, 0.0);
+}
+
+// Submissions grow while they are quick: at one tile a sample the growth must have an end.
+TEST_F(RendererTest, ManySamplesOfATinyPicture) {
+    World made = world(planet());
+    made.scene.film.crop = {0.5, 0.52, 0.5, 0.52};
+    Renderer renderer(device_, made.packed, made.scene, Marcher::Exact);
+    int calls = 0;
+    // A render that does not get on is stopped rather than waited for.
+    renderer.renderColour(200, 0, [&](double) { return ++calls <= 1000; });
+    EXPECT_LE(calls, 1000);
+}
+
+TEST_F(RendererTest, ProgressGrowsToOne) {
+    World made = world(planet());
+    std::vector<double> shares;
+    Renderer renderer(device_, made.packed, made.scene, Marcher::Exact);
+    renderer.renderColour(3, 0, [&](double share) {
+        shares.push_back(share);
+        return true;
+    });
+    ASSERT_GE(shares.size(), 3u);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_GT(shares.front(), 0.0);
+    EXPECT_DOUBLE_EQ(shares.back(), 1.0);
+}
+
+TEST_F(RendererTest, StopsWhenProgressSaysSo) {
+    World made = world(planet());
+    Renderer renderer(device_, made.packed, made.scene, Marcher::Exact);
+    for (int last : {1, 2}) {
+        int calls = 0;
+        auto stop = [&](double) { return ++calls < last; };
+        try {
+            renderer.renderColour(10, 0, stop);
+            ADD_FAILURE() << "was not stopped";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::Interrupted);
+        }
+        EXPECT_EQ(calls, last);
+    }
+    EXPECT_EQ(renderer.renderColour(1, 0, {}).channels.size(), 3u) << "it can be used again";
+}
+
+}  // namespace
+}  // namespace dsphere::test
