@@ -4,6 +4,9 @@
 // y sin t, toward = rho sin t + y cos t, so tan(colatitude - t) = south / toward. Going from cell to cell turns the
 // frame by the cell's own small angle. Expects surface.glsl and ray.glsl.
 
+const real kTurnAside = real(1e-9);
+const real kAlongAxis = real(1e-3);
+
 struct Frame {
     Anchor anchor;
     ivec2 cell;
@@ -16,12 +19,23 @@ struct Frame {
     real d_across2;       // squared share of d across the axis
 };
 
+// Nearer to the axis than this a point is taken as on it; the contract excuses 1e-6.
+const real kOnAxis = real(2.5e-7);
+
+// On the axis, and about to leave it; a ray along the axis stays in the column that it is in.
+bool isOnAxis(vec3 p, vec3 d) {
+    return max(abs(p.x), abs(p.z)) < kOnAxis && max(abs(d.x), abs(d.z)) > kAlongAxis;
+}
+
+// The frame of the cell that the ray is in at s, anchored near it. On the axis all columns meet, and the longitude jumps:
+// the column is then the one that the ray leaves to. Leaves often start there: cells of the cube map meet at the poles.
 Frame makeFrame(Ray ray, MapData map, Pair base, real s) {
     Frame frame;
     Anchor anchor = anchorAt(ray, s);
     frame.anchor = anchor;
     vec3 p = vec3(anchor.x.hi, anchor.y.hi, anchor.z.hi);
-    frame.cell = locateCell(map, ray.c + s * ray.d);  // the anchor may lie in another
+    vec3 at = ray.c + s * ray.d;  // the anchor may lie in another cell
+    frame.cell = locateCell(map, isOnAxis(at, ray.d) ? vec3(kTurnAside * ray.d.x, at.y, kTurnAside * ray.d.z) : at);
     vec4 west = edgesAt(frame.cell.x, map.edges_y);
     vec4 north = edgesAt(frame.cell.y, map.edges_y + 1);
     Turned around = turnPair(anchor.x, anchor.z, west);
@@ -62,7 +76,8 @@ Local localAt(Frame frame, real d_y, real sigma) {
     real upward = sigma * d_y;
     local.slant = vec2(frame.slant.x + outward * frame.edge.y - upward * frame.edge.x,
                        frame.slant.y + outward * frame.edge.x + upward * frame.edge.y);
-    local.grown = sigma * (real(2) * frame.rate_radius + sigma) / (length(local.slant) + frame.radius);
+    real radii = max(length(local.slant) + frame.radius, kTiny);  // 0 at the very centre
+    local.grown = sigma * (real(2) * frame.rate_radius + sigma) / radii;
     return local;
 }
 
@@ -86,6 +101,12 @@ void turnEast(INOUT(Frame) frame, MapData map, bool east) {
     frame.cell.x = wrapColumn(frame.cell.x + (east ? 1 : -1), map.width);
 }
 
+// Whether the ray at sigma stands behind the edge that it comes from, going east (or west).
+bool behindColumn(Frame frame, MapData map, bool east, real sigma) {
+    vec2 place = frame.place + sigma * frame.place_d;
+    return east ? place.x < real(0) : turnSmall(place, real(map.sin_width), real(map.versin_width)).x > real(0);
+}
+
 // Sine and versine of the height of a row of cells.
 vec2 rowTurn(MapData map, int row) {
     bool pole = isPoleRow(map, row);
@@ -100,4 +121,19 @@ void turnSouth(INOUT(Frame) frame, MapData map, bool south) {
     vec2 cosine_sine = turnSmall(vec2(frame.edge.y, frame.edge.x), sine, turn.y);
     frame.edge = vec2(cosine_sine.y, cosine_sine.x);
     frame.cell.y += south ? 1 : -1;
+}
+
+// The cell was found from rounded coordinates: near the axis that can be columns off, and elsewhere a row, beyond an edge
+// that the ray then never comes to. Steps back to the cell that the frame's own coordinates say.
+void settleCell(INOUT(Frame) frame, MapData map, bool east, bool on_axis, real d_y, real sigma) {
+    int left = on_axis ? 0 : map.width;
+    while (left > 0 && behindColumn(frame, map, east, sigma)) {
+        turnEast(frame, map, !east);
+        left -= 1;
+    }
+    vec2 slant = localAt(frame, d_y, sigma).slant;
+    vec2 turn = rowTurn(map, frame.cell.y);
+    bool north = slant.x < real(0) && frame.cell.y > 0;
+    bool south = turnSmall(slant, turn.x, turn.y).x > real(0) && frame.cell.y < map.rows - 1;
+    if (north || south) turnSouth(frame, map, south);
 }

@@ -113,7 +113,8 @@ ObjectHit hitDisplaced(ObjectData object, MapData map, Ray ray) {
     if (walk.hit) {
         Crossing crossing = refine(ray, map, real(object.scale), walk);
         hit.p = crossing.p;
-        hit.n = normalize(crossing.gradient);
+        // At the very centre, where only a start inside can hit, no direction is outward.
+        hit.n = dot(crossing.gradient, crossing.gradient) > real(0) ? normalize(crossing.gradient) : -ray.d;
         hit.residual = crossing.at.g;
         hit.stored = patchValue(fetchPatch(map, real(1), walk.frame.cell), crossing.at.fu, crossing.at.fv);
         hit.steps += 4;

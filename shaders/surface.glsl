@@ -57,7 +57,7 @@ real patchValue(Patch quad, real fu, real fv) {
 // Gradient of f = |p| - r(p/|p|): e_r - dr/dphi / rho e_east - dr/dtheta / |p| e_south. In the rows that touch a pole
 // dr/dphi is proportional to the angle from it, which cancels rho analytically.
 vec3 patchGradient(MapData map, Patch quad, PatchPoint at, int row, vec3 p) {
-    real radius = length(p);
+    real radius = max(length(p), kTiny);
     real rho = sqrt(p.x * p.x + p.z * p.z);
     real inverse_rho = real(1) / max(rho, real(1e-20));
     real per_radian = cellsPerRadianV(map, row);

@@ -110,6 +110,7 @@ Walk startWalk(Ray ray, MapData map, WalkPlan plan, Pair base, real s, real s_en
     walk.first = true;
     walk.at_start = s <= ray.s_min;
     walk.sigma = s - walk.frame.anchor.s;
+    settleCell(walk.frame, map, plan.east, isOnAxis(ray.c + s * ray.d, ray.d), ray.d.y, walk.sigma);
     walk.end = s_end - walk.frame.anchor.s;
     walk.turn = plan.s_turn - walk.frame.anchor.s;
     walk.low = walk.sigma;
@@ -129,7 +130,9 @@ void walkStep(INOUT(Walk) walk, WalkPlan plan, Ray ray, MapData map, real scale)
     to_v = pole_edge ? kInfinity : to_v;
 
     Local here = localAt(frame, ray.d.y, walk.sigma);
-    real limit = min(kChordShare * min(here.rho / plan.across_axis, frame.radius), walk.longest);
+    // Across the axis the shortest chord is what counts too: along it the ray may be parallel to the axis, and long.
+    real sideways = max(kChordShare * here.rho, kShortestChord) / plan.across_axis;
+    real limit = min(min(sideways, kChordShare * frame.radius), walk.longest);
     real far = min(min(to_u, to_v), min(walk.end, walk.sigma + max(limit, kShortestChord)));
     far = before ? min(far, walk.turn) : far;
     PatchPoint start = patchPoint(map, quad, frame, here);

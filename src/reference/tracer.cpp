@@ -101,6 +101,11 @@ dvec3 Tracer::reflectance(int shape, const dvec3& object_position) const {
 
 dvec3 Tracer::shade(int shape, const dvec3& object_position, const dvec3& world_normal, std::uint32_t lit) const {
     const dvec3 point = transformPoint(scene_->shapes[std::size_t(shape)].world_from_object, object_position);
+    return shadeAt(shape, object_position, point, world_normal, lit);
+}
+
+dvec3 Tracer::shadeAt(int shape, const dvec3& object_position, const dvec3& point, const dvec3& world_normal,
+                      std::uint32_t lit) const {
     dvec3 irradiance(0.0);
     for (std::size_t k = 0; k < scene_->lights.size() && k < 32; ++k) {
         if (!(lit >> k & 1u)) continue;

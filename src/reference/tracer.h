@@ -60,6 +60,9 @@ class Tracer {
     /// times the distant light's radiance or the point light's intensity over its squared distance. `world_normal` is
     /// unit, on the viewer's side (WorldHit::shading_normal).
     dvec3 shade(int shape, const dvec3& object_position, const dvec3& world_normal, std::uint32_t lit) const;
+    /// The same with the world point that directions to lights are taken from: a device's own, rounded one.
+    dvec3 shadeAt(int shape, const dvec3& object_position, const dvec3& world_point, const dvec3& world_normal,
+                  std::uint32_t lit) const;
 
     /// The surface of a displaced sphere; nullptr for other shapes.
     const Surface* surface(int shape) const;

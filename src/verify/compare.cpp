@@ -72,6 +72,7 @@ Comparison::Judgement Comparison::judge(const WorldRay& ray, const Answer& answe
     if (!answer.hit && !truth.hit) return Judgement::Right;
     if (answer.hit != truth.hit || answer.shape != truth.shape || answer.inside != truth.inside)
         return Judgement::WrongVerdict;
+    if (answer.inside && answer.t == truth.t()) return Judgement::Right;  // the start itself; it may have no normal
     double error = answer.t - truth.t();
     share = std::abs(error) / alongRayBound(ray, truth, answer.t);
     if (share <= 1.0) return Judgement::Right;
@@ -97,7 +98,20 @@ bool Comparison::tangent(const WorldRay& ray, const Answer& answer, int true_sha
     for (int shape : {answer.shape, true_shape}) {
         if (shape < 0) continue;
         reference::Ray object_ray = tracer_.objectRay(shape, ray.origin, ray.direction);
-        for (const dvec3& offset : sidewaysOffsets(shape, object_ray)) {
+        std::vector<dvec3> offsets = sidewaysOffsets(shape, object_ray);
+        // Peaks can be thinner than the angle between those: straight down into the one that the device hit, and up
+        // over the one that it missed.
+        auto addRadial = [&](const dvec3& p, double sign) {
+            dvec3 d = glm::normalize(object_ray.direction), across = p - glm::dot(p, d) * d;
+            double length = glm::length(across);
+            if (!(length > 0.0)) return;
+            for (double step : {1.0, 0.5})
+                offsets.push_back(transformVector(scene_.shapes[std::size_t(shape)].world_from_object,
+                                                  sign * step * contract::kSideways * unit(shape) / length * across));
+        };
+        if (shape == answer.shape) addRadial(answer.object_position, -1.0);
+        if (shape == true_shape) addRadial(tracer_.hitShape(shape, object_ray).position, 1.0);
+        for (const dvec3& offset : offsets) {
             WorldRay moved{ray.origin + offset, ray.direction};
             double share;
             WorldHit truth = tracer_.firstHit(moved.origin, moved.direction);
@@ -199,7 +213,7 @@ dvec3 Comparison::reflectanceSpread(const Answer& answer) const {
 // shrink towards the terminator.
 void Comparison::checkColour(Report& report, std::uint64_t index, const Answer& answer,
                              const LightAnswer& light) const {
-    dvec3 colour = tracer_.shade(answer.shape, answer.object_position, answer.normal, light.lit);
+    dvec3 colour = tracer_.shadeAt(answer.shape, answer.object_position, light.position, answer.normal, light.lit);
     dvec3 full(0.0);
     for (const Light& source : scene_.lights) {
         dvec3 towards = reference::lightRay(source, light.position).direction;

@@ -62,11 +62,12 @@ Queries poleRays(double side) {
 }
 
 TEST_F(Axes, DownTheAxisOntoTheNorthPole) {
-    expectContract(probe(sphereWorld(steepMap(), 15.0), poleRays(1.0)));
+    // A pole is the apex of a cone: all patches of its row meet there, with as many normals.
+    expectContractButNormals(probe(sphereWorld(steepMap(), 15.0), poleRays(1.0)));
 }
 
 TEST_F(Axes, UpTheAxisOntoTheSouthPole) {
-    expectContract(probe(sphereWorld(steepMap(), 15.0), poleRays(-1.0)));
+    expectContractButNormals(probe(sphereWorld(steepMap(), 15.0), poleRays(-1.0)));
 }
 
 // There columns' edges meet.
@@ -76,7 +77,7 @@ TEST_F(Axes, OntoAPoleOfGridlineRegistration) {
 
 // Coarse maps have the greatest caps.
 TEST_F(Axes, OntoAPoleOfACoarseMap) {
-    expectContract(probe(sphereWorld(test::randomMap(16, 8), 30.0), poleRays(1.0)));
+    expectContractButNormals(probe(sphereWorld(test::randomMap(16, 8), 30.0), poleRays(1.0)));
 }
 
 // From all around onto the caps, where the columns run together.
