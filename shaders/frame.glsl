@@ -44,11 +44,14 @@ Frame makeFrame(Ray ray, MapData map, Pair base, real s) {
     real sin_w = west.x + west.z;
     real cos_w = west.y + west.w;
     frame.place_d = vec2(ray.d.x * cos_w - ray.d.z * sin_w, ray.d.x * sin_w + ray.d.z * cos_w);
-    // rho = along + across^2 / (along + rho): the small part apart.
+    // rho = along + across^2 / (along + rho): the small part apart. Beside or behind the axis, where an anchor can lie, the
+    // whole is small.
     frame.rho = sqrt(along * along + around.first * around.first);
+    bool beside = along < real(0.5) * frame.rho;
     real beyond = around.first * around.first / max(frame.rho + along, kTiny);
     precise real rho_rest = (around.second.lo + beyond);
-    Turned down = turnPair(makePair(around.second.hi, rho_rest), anchor.y, north);
+    Pair rho_pair = makePair(beside ? frame.rho : around.second.hi, beside ? real(0) : rho_rest);
+    Turned down = turnPair(rho_pair, anchor.y, north);
     real toward = down.second.hi + down.second.lo;
     frame.slant = vec2(down.first, toward);
     frame.edge = vec2(north.x + north.z, north.y + north.w);
