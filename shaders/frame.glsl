@@ -4,9 +4,6 @@
 // y sin t, toward = rho sin t + y cos t, so tan(colatitude - t) = south / toward. Going from cell to cell turns the
 // frame by the cell's own small angle. Expects surface.glsl and ray.glsl.
 
-const real kTurnAside = real(1e-9);
-const real kAlongAxis = real(1e-3);
-
 struct Frame {
     Anchor anchor;
     ivec2 cell;
@@ -21,6 +18,10 @@ struct Frame {
 
 // Nearer to the axis than this a point is taken as on it; the contract excuses 1e-6.
 const real kOnAxis = real(2.5e-7);
+// A ray whose direction has less than this across the axis runs along it.
+const real kAlongAxis = real(1e-3);
+// How far off the axis a point is put to have the longitude of the ray's direction, in the same row.
+const real kTurnAside = real(1e-9);
 
 // On the axis, and about to leave it; a ray along the axis stays in the column that it is in.
 bool isOnAxis(vec3 p, vec3 d) {

@@ -77,7 +77,8 @@ using uint = std::uint32_t;
 #define PLANE_COUNT 29
 
 // Loops of one invocation share 65,535 back-edges on lavapipe, all rays of a pixel together, and end silently there. A
-// march takes some 25 on average; the longest, across a pole of a map 16,384 wide, passes 8,192 cells of 4 fetches each.
+// march takes some 25 on average; the longest, across a pole of a map 16,384 wide, passes 8,192 cells of 4 fetches
+// each.
 #define MAX_STEPS 48000
 #define MAX_MARCHES 640  // shapes times (lights + 1)
 
@@ -112,11 +113,11 @@ struct LightData {
 };
 
 struct MapData {
-    int width, rows;        // cells: columns (wrapping) and rows from pole to pole
-    int heights_y, layer;   // where node row 0 lies in the heights image
+    int width, rows;       // cells: columns (wrapping) and rows from pole to pole
+    int heights_y, layer;  // where node row 0 lies in the heights image
     int bounds_y, bounds_layer, bounds_side, bounds_levels;
-    int edges_y;            // row of the longitude edges; the colatitude edges lie in the next
-    int caps;               // 1: the first and last rows are half as high (texel registration)
+    int edges_y;                           // row of the longitude edges; the colatitude edges lie in the next
+    int caps;                              // 1: the first and last rows are half as high (texel registration)
     float columns_per_turn, first_column;  // column of longitude phi = phi / 2pi * columns_per_turn - first_column
     float cells_per_radian_u, cells_per_radian_v;
     float cap_shift;  // node row of colatitude theta = theta * cells_per_radian_v + cap_shift
