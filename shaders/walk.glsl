@@ -3,6 +3,8 @@
 // A chord of this share of the distance to the axis (or the centre) is a parabola within 1e-8 of the surface.
 const real kChordShare = real(0.0125);
 const real kShortestChord = real(2.5e-7);
+// A ray that comes this close to a parallel touches it; the frame's own rounding is about 1e-9.
+const real kTouch = real(1e-7);
 // How far from 0 the parabola's verdict is trusted; the contract excuses 1e-6.
 const real kTrust = real(3e-8);
 
@@ -13,6 +15,10 @@ struct WalkPlan {
     real across_axis;  // share of d across the axis: how fast the ray can approach it
 };
 
+real acrossAxis(vec3 d) {
+    return sqrt(max(real(1) - d.y * d.y, real(1e-12)));
+}
+
 WalkPlan planWalk(Ray ray) {
     WalkPlan plan;
     precise real turn = ray.c.z * ray.d.x - ray.c.x * ray.d.z;
@@ -20,7 +26,7 @@ WalkPlan planWalk(Ray ray) {
     real rise = ray.d.y * ray.c2;
     plan.s_turn = ray.c.y != real(0) ? clamp(rise / ray.c.y, -kInfinity, kInfinity)
                                      : (rise > real(0) ? kInfinity : -kInfinity);
-    plan.across_axis = sqrt(max(real(1) - ray.d.y * ray.d.y, real(1e-12)));
+    plan.across_axis = acrossAxis(ray.d);
     return plan;
 }
 
@@ -32,7 +38,8 @@ real meridianCrossing(Frame frame, MapData map, bool east, real sigma) {
 }
 
 // Where the ray meets the cone of a parallel, y = |p| cos_e, going south or north: with E^2 = c_y^2 + |c|^2 (d_y^2 -
-// cos_e^2), s = (c_y d_y +- cos_e E) / (cos_e^2 - d_y^2), + southward; the conjugate form where that would cancel.
+// cos_e^2), s = (c_y d_y +- cos_e E) / (cos_e^2 - d_y^2), + southward; the conjugate form where that would cancel. A ray
+// that fails to touch the cone by rounding is taken to touch it.
 real coneCrossing(Ray ray, real cos_e, bool south, real s) {
     real slack = (cos_e - ray.d.y) * (cos_e + ray.d.y);
     real square = ray.c.y * ray.c.y - ray.c2 * slack;
@@ -43,29 +50,48 @@ real coneCrossing(Ray ray, real cos_e, bool south, real s) {
                                             : (ray.c2 * cos_e * cos_e - ray.c.y * ray.c.y) / (tilt - swing);
     // The other nappe, or a crossing far behind, is none; rounding may put a true one a little behind.
     real height = ray.c.y + crossing * ray.d.y;
-    bool true_one = square > real(0) && height * (cos_e < real(0) ? real(-1) : real(1)) >= real(-1e-6) &&
+    bool true_one = square > real(-1e-6) * ray.c2 && height * (cos_e < real(0) ? real(-1) : real(1)) >= real(-1e-6) &&
                     crossing >= s - real(0.01) && crossing < kInfinity;
     return true_one ? crossing : kInfinity;
 }
 
-// The same in the frame: the cone of the rounded ray, then one Newton step on the edge's own small coordinate.
-real parallelCrossing(Frame frame, Ray ray, MapData map, bool south, real sigma) {
+// Step from where a + b x + c x^2 / 2 was taken to its root with the derivative's sign `rising`. A parabola that fails to
+// touch zero by rounding is taken to touch it: else a ray could cross an edge and not find its way back. kInfinity without
+// a root.
+real stepToRoot(real a, real b, real c, bool rising) {
+    real square = b * b - real(2) * a * c;
+    bool touches = abs(square) <= kTouch * real(2) * abs(c);
+    real slope = sqrt(max(square, real(0)));
+    slope = rising ? slope : -slope;
+    real root = b * slope > real(0) ? real(-2) * a / (b + slope) : (slope - b) / c;
+    return square >= real(0) || touches ? root : kInfinity;
+}
+
+// The same in the frame: the cone of the rounded ray, then one step on the edge's own small coordinate as a parabola. A
+// Newton step, which has no second derivative, goes astray where the ray is about to touch the cone.
+real parallelCrossing(Frame frame, Ray ray, MapData map, bool south, Local here, real sigma) {
     vec2 turn = south ? rowTurn(map, frame.cell.y) : vec2(real(0));
+    real beyond_here = turnSmall(here.slant, turn.x, turn.y).x;
+    if (south ? beyond_here > real(0) : beyond_here < real(0)) return sigma;
     vec2 cosine_sine = turnSmall(vec2(frame.edge.y, frame.edge.x), turn.x, turn.y);
     real crossing = coneCrossing(ray, cosine_sine.x, south, frame.anchor.s + sigma) - frame.anchor.s;
     if (!(crossing < real(1))) return kInfinity;
     Local local = localAt(frame, ray.d.y, crossing);
     real beyond = turnSmall(local.slant, turn.x, turn.y).x;
-    real outward = (frame.rate_rho + crossing * frame.d_across2) / max(local.rho, kTiny);
+    real rho = max(local.rho, kTiny);
+    real outward = (frame.rate_rho + crossing * frame.d_across2) / rho;
     real rate = outward * cosine_sine.x - ray.d.y * cosine_sine.y;
-    real correction = abs(rate) > real(1e-4) ? beyond / rate : real(0);
-    return max(sigma, crossing - clamp(correction, real(-1e-3), real(1e-3)));
+    real bend = cosine_sine.x * (frame.d_across2 - outward * outward) / rho;
+    real correction = stepToRoot(beyond, rate, bend, south);
+    return correction < kInfinity ? max(sigma, crossing + clamp(correction, real(-0.01), real(0.01))) : kInfinity;
 }
 
 // One chord of a cell as a parabola through its ends and middle.
 struct Chord {
     bool hit, unsure;
-    real fraction;  // of the chord, where it hits
+    real fraction;      // of the chord, where it hits
+    real fall;          // the parabola's derivative there, by the fraction; never positive
+    real lowest, miss;  // least g after the start, and how far the parabola can be from g
 };
 
 // First root on a chord where f(0) = g0 >= 0. The parabola misses the surface by the product of the patch's twist and
@@ -77,13 +103,14 @@ Chord solveChord(PatchPoint start, PatchPoint middle, PatchPoint end, real twist
     real bend_v = real(2) * (start.fv + end.fv - real(2) * middle.fv);
     real slope_u = end.fu - start.fu - bend_u;
     real slope_v = end.fv - start.fv - bend_v;
-    real miss = abs(twist) * (real(0.05) * abs(slope_u * bend_v + slope_v * bend_u) + real(0.1) * abs(bend_u * bend_v));
+    Chord chord;
+    chord.miss = abs(twist) * (real(0.05) * abs(slope_u * bend_v + slope_v * bend_u) + real(0.1) * abs(bend_u * bend_v));
 
     real lowest_at = slope < real(0) && bend > real(0) ? min(real(-0.5) * slope / bend, real(1)) : real(1);
-    real lowest = min(start.g + lowest_at * (slope + lowest_at * bend), end.g);
-    Chord chord;
-    chord.hit = lowest <= real(0);
-    chord.unsure = miss > kTrust && lowest <= miss;
+    chord.lowest = min(start.g + lowest_at * (slope + lowest_at * bend), end.g);
+    chord.hit = chord.lowest <= real(0);
+    chord.unsure = chord.miss > kTrust && chord.lowest <= chord.miss;
+    chord.fall = -sqrt(max(slope * slope - real(4) * bend * start.g, real(0)));
     chord.fraction = clamp(firstRoot(start.g, slope, bend), real(0), real(1));
     return chord;
 }
@@ -126,10 +153,9 @@ void walkStep(INOUT(Walk) walk, WalkPlan plan, Ray ray, MapData map, real scale)
     bool south = before != (ray.c.y >= real(0));
     bool pole_edge = south ? frame.cell.y == map.rows - 1 : frame.cell.y == 0;
     real to_u = meridianCrossing(frame, map, plan.east, walk.sigma);
-    real to_v = parallelCrossing(frame, ray, map, south, walk.sigma);
-    to_v = pole_edge ? kInfinity : to_v;
-
     Local here = localAt(frame, ray.d.y, walk.sigma);
+    real to_v = pole_edge ? kInfinity : parallelCrossing(frame, ray, map, south, here, walk.sigma);
+
     // Across the axis the shortest chord is what counts too: along it the ray may be parallel to the axis, and long.
     real sideways = max(kChordShare * here.rho, kShortestChord) / plan.across_axis;
     real limit = min(min(sideways, kChordShare * frame.radius), walk.longest);
