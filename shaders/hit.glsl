@@ -2,6 +2,7 @@
 
 struct ObjectHit {
     bool hit, inside, exhausted;
+    bool doubtful;  // only with PRECISION_FILTER: another precision must decide, the rest means nothing
     int steps;
     vec3 p, n;     // object space, units of R; n unit, outward (disk: towards the ray's origin)
     real stored;   // the map's value
@@ -13,6 +14,7 @@ ObjectHit noHit() {
     hit.hit = false;
     hit.inside = false;
     hit.exhausted = false;
+    hit.doubtful = false;
     hit.steps = 0;
     hit.p = vec3(real(0));
     hit.n = vec3(real(0));

@@ -26,17 +26,25 @@ using uint = std::uint32_t;
 #define BINDING_EDGES 6    // rgba32f: sine and cosine of each cell's west (north) edge, as 12 leading bits and rest
 #define BINDING_FILM 7     // r32ui array: one layer a plane (probe.comp: the rays)
 #define BINDING_HITS 8     // probe.comp: the answers
+#define BINDING_RETRY 8    // render.comp: the pixels that FILTER leaves to FULL
 
 #define SPEC_MARCHER 0
 #define SPEC_OBJECT_COUNT 1
 #define SPEC_LIGHT_COUNT 2
 #define SPEC_KINDS 3   // bit per KIND_ that the scene holds
 #define SPEC_PLANES 4  // bit per PLANE_ that the film holds
-#define SPEC_COUNT 5
+#define SPEC_PRECISION 5
+#define SPEC_COUNT 6
 
 #define MARCHER_EXACT 0
 #define MARCHER_NAIVE 1        // the seed's: from the camera
 #define MARCHER_NAIVE_SHELL 2  // the same, started at the shell
+
+// Of the exact marcher. FILTER decides in single floats what rounding cannot change, and lists the pixels where it could:
+// they are done again with FULL, 48 bits. BOTH does that at once, ray by ray.
+#define PRECISION_FILTER 0
+#define PRECISION_FULL 1
+#define PRECISION_BOTH 2
 
 #define KIND_DISPLACED 0
 #define KIND_SPHERE 1
@@ -97,6 +105,7 @@ struct ObjectData {
     vec4 to_world_x, to_world_y, to_world_z;     // rows, object in units of R -> world
     vec4 from_start, start_x, start_y;           // world: the object's centre seen from the ray's start at X = Y = 0,
                                                  // and that start's steps
+    vec4 from_first;                             // world: the object's centre seen from object 0's
     vec4 albedo;                                 // rgb; of a constant texture
     float anchor_x, anchor_y;                    // raster
     float base, base_lo, scale;                  // r = base + base_lo + scale * stored value, units of R
@@ -134,6 +143,11 @@ struct RenderParams {
     uint seed;
 };
 
+// The head of the list of pixels (x | y << 16, film pixels) that follows it.
+struct RetryHead {
+    uint count, pad0, pad1, pad2;
+};
+
 // A ray in the object space of object 0, units of R: a point and a direction of any length, each a row and its _lo row.
 // point.w: the ray starts this many directions before the point; direction.w: its length from there, in units of R.
 // flags: 1 for a secondary ray.
@@ -152,10 +166,11 @@ struct ProbeHit {
 #ifdef __cplusplus
 static_assert(sizeof(ProbeRay) == 80);
 static_assert(sizeof(ProbeHit) == 48);
-static_assert(sizeof(ObjectData) == 22 * 16 + 12 * 4);
+static_assert(sizeof(ObjectData) == 23 * 16 + 12 * 4);
 static_assert(sizeof(LightData) == 32);
 static_assert(sizeof(MapData) == 24 * 4);
 static_assert(sizeof(RenderParams) == 32);
+static_assert(sizeof(RetryHead) == 16);
 }  // namespace dsphere::layout
 #endif
 #endif

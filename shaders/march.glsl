@@ -108,36 +108,44 @@ void traverseStep(INOUT(Cursor) at, FaceRay face, Ray ray, MapData map, real s_e
     at.skip = false;
 }
 
-// Searches the whole ray; walk.hit, .inside, .frame and .sigma tell the answer, to be refined.
-Walk march(Ray ray, MapData map, Pair base, real scale, real shell_squared) {
-    Walk walk;
-    walk.hit = false;
-    walk.inside = false;
+// Puts the cursor where the ray enters the shell; false if it never does, or is NaN. s_end: where the ray leaves it.
+bool startCursor(INOUT(Cursor) at, Ray ray, MapData map, real shell_squared, INOUT(real) s_end) {
     real margin = shell_squared - ray.c2;
     real half_chord = sqrt(max(margin, real(0)));
-    real s_end = min(ray.s_max, half_chord);
-    Cursor at;
+    s_end = min(ray.s_max, half_chord);
     at.s = max(ray.s_min, -half_chord);
-    // Written so that any NaN ends here.
-    bool searching = margin > real(0) && at.s < s_end;
-    if (searching) chooseFace(at, ray.c + at.s * ray.d);
-    at.level = map.bounds_levels - 1;
+    chooseFace(at, ray.c + at.s * ray.d);
+    at.level = max(map.bounds_levels - 1 - 4, 0);
     at.leaf = false;
     at.skip = false;
     at.leaf_end = s_end;
     at.i = 0;
     at.j = 0;
+    return margin > real(0) && at.s < s_end;
+}
+
+// The cell of the cursor's level after a change of face.
+void findCell(INOUT(Cursor) at, FaceRay face, MapData map) {
+    int side = map.bounds_side >> at.level;
+    real major = face.cm + at.s * face.dm;
+    at.i = cellIndex(face.ca + at.s * face.da, major, side);
+    at.j = cellIndex(face.cb + at.s * face.db, major, side);
+    at.turned = false;
+}
+
+// Searches the whole ray; walk.hit, .inside, .frame and .sigma tell the answer, to be refined.
+Walk march(Ray ray, MapData map, Pair base, real scale, real shell_squared) {
+    Walk walk;
+    walk.hit = false;
+    walk.inside = false;
+    Cursor at;
+    real s_end;
+    bool searching = startCursor(at, ray, map, shell_squared, s_end);
     int steps = 0;
     WalkPlan plan = planWalk(ray);
     while (searching) {
         FaceRay face = faceRay(ray, at.axis, at.sign_of_face);
-        if (at.turned) {
-            int side = map.bounds_side >> at.level;
-            real major = face.cm + at.s * face.dm;
-            at.i = cellIndex(face.ca + at.s * face.da, major, side);
-            at.j = cellIndex(face.cb + at.s * face.db, major, side);
-            at.turned = false;
-        }
+        if (at.turned) findCell(at, face, map);
         // Heavy code stays out of this loop: under masks every lane would pay for it at each step.
         while (!at.leaf && !at.turned && at.s < s_end && steps < MAX_STEPS) {
             traverseStep(at, face, ray, map, s_end);

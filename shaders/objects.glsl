@@ -1,5 +1,5 @@
 // One object's ray and hit: from camera or surface to object space, and back to world. Expects march.glsl, naive.glsl
-// and the constants kMarcher and kKinds (a bit per KIND_ of the scene: what no object needs is compiled away).
+// filter.glsl and the constants kMarcher, kPrecision and kKinds (a bit per KIND_ of the scene: what no object needs is compiled away).
 
 // x and y count pixels from the object's anchor, to the pixel's centre; the jitter of a sample within the pixel needs no
 // more than a float's bits.
@@ -64,12 +64,16 @@ vec3 worldNormal(ObjectData object, vec3 n) {
     return normalize(n.x * vec3(object.to_object_x) + n.y * vec3(object.to_object_y) + n.z * vec3(object.to_object_z));
 }
 
-// Distance from the ray's start: the hit is near the object's centre, whose offset from the start the host gave. o + t d
-// instead would cancel; a t from the ray parameter would carry three more roundings.
-real cameraDistance(ObjectData object, vec3 p, vec2 pixel) {
-    vec3 offset = rowsTimesVector(vec4(object.to_world_x), vec4(object.to_world_y), vec4(object.to_world_z), p);
+// World vector from the object's centre.
+vec3 fromCentre(ObjectData object, vec3 p) {
+    return rowsTimesVector(vec4(object.to_world_x), vec4(object.to_world_y), vec4(object.to_world_z), p);
+}
+
+// World vector from the ray's start: the hit is near the object's centre, whose offset from the start the host gave.
+// o + t d instead would cancel; a t from the ray parameter would carry three more roundings.
+vec3 fromRayStart(ObjectData object, vec3 p, vec2 pixel) {
     vec3 moved = pixel.x * vec3(object.start_x) + pixel.y * vec3(object.start_y);
-    return length(offset + (vec3(object.from_start) - moved));
+    return fromCentre(object, p) + (vec3(object.from_start) - moved);
 }
 
 ObjectHit hitUnitSphere(Ray ray) {
@@ -103,22 +107,43 @@ Pair basePair(ObjectData object) {
     return makePair(real(object.base), real(object.base_lo));
 }
 
-ObjectHit hitDisplaced(ObjectData object, MapData map, Ray ray) {
+void takeCrossing(INOUT(ObjectHit) hit, MapData map, Ray ray, Crossing crossing, ivec2 cell) {
+    hit.p = crossing.p;
+    // At the very centre, where only a start inside can hit, no direction is outward.
+    hit.n = dot(crossing.gradient, crossing.gradient) > real(0) ? normalize(crossing.gradient) : -ray.d;
+    hit.residual = crossing.at.g;
+    hit.stored = patchValue(fetchPatch(map, real(1), cell), crossing.at.fu, crossing.at.fv);
+    hit.steps += 4;
+}
+
+ObjectHit hitDisplacedFiltered(ObjectData object, MapData map, Ray ray) {
+    ObjectHit hit = noHit();
+    real base = real(object.base), scale = real(object.scale);
+    Filtered answer = filterMarch(ray, map, base, scale, real(object.shell_squared));
+    hit.hit = answer.hit;
+    hit.inside = answer.inside;
+    hit.doubtful = answer.doubtful;
+    hit.steps = answer.steps;
+    if (answer.hit) takeCrossing(hit, map, ray, filterRefine(ray, map, base, scale, answer), answer.cell);
+    return hit;
+}
+
+ObjectHit hitDisplacedFully(ObjectData object, MapData map, Ray ray) {
     ObjectHit hit = noHit();
     Walk walk = march(ray, map, basePair(object), real(object.scale), real(object.shell_squared));
     hit.hit = walk.hit;
     hit.inside = walk.inside;
     hit.exhausted = walk.exhausted;
     hit.steps = walk.steps;
-    if (walk.hit) {
-        Crossing crossing = refine(ray, map, real(object.scale), walk);
-        hit.p = crossing.p;
-        // At the very centre, where only a start inside can hit, no direction is outward.
-        hit.n = dot(crossing.gradient, crossing.gradient) > real(0) ? normalize(crossing.gradient) : -ray.d;
-        hit.residual = crossing.at.g;
-        hit.stored = patchValue(fetchPatch(map, real(1), walk.frame.cell), crossing.at.fu, crossing.at.fv);
-        hit.steps += 4;
-    }
+    if (walk.hit) takeCrossing(hit, map, ray, refine(ray, map, real(object.scale), walk), walk.frame.cell);
+    return hit;
+}
+
+ObjectHit hitDisplaced(ObjectData object, MapData map, Ray ray) {
+    ObjectHit hit = noHit();
+    hit.doubtful = true;
+    if (kPrecision != PRECISION_FULL) hit = hitDisplacedFiltered(object, map, ray);
+    if (kPrecision != PRECISION_FILTER && hit.doubtful) hit = hitDisplacedFully(object, map, ray);
     return hit;
 }
 
@@ -137,12 +162,19 @@ ObjectHit hitObject(ObjectData object, MapData map, Ray ray) {
     return hit;
 }
 
-// Any hit: no root is refined, no normal found.
-bool blocks(ObjectData object, MapData map, Ray ray) {
+bool displacedBlocks(ObjectData object, MapData map, Ray ray, INOUT(bool) doubtful) {
+    real shell_squared = real(object.shell_squared);
+    if (kPrecision == PRECISION_FULL) return march(ray, map, basePair(object), real(object.scale), shell_squared).hit;
+    Filtered answer = filterMarch(ray, map, real(object.base), real(object.scale), shell_squared);
+    doubtful = doubtful || answer.doubtful;
+    return answer.hit;
+}
+
+// Any hit: no root is refined, no normal found. `doubtful` is set where another precision must decide.
+bool blocks(ObjectData object, MapData map, Ray ray, INOUT(bool) doubtful) {
     bool blocked = false;
     if (sceneHas(KIND_DISPLACED) && object.kind == KIND_DISPLACED) {
-        if (kMarcher == MARCHER_EXACT)
-            blocked = march(ray, map, basePair(object), real(object.scale), real(object.shell_squared)).hit;
+        if (kMarcher == MARCHER_EXACT) blocked = displacedBlocks(object, map, ray, doubtful);
         if (kMarcher != MARCHER_EXACT) blocked = hitNaive(object, map, ray).hit;
     }
     if (sceneHas(KIND_SPHERE) && object.kind == KIND_SPHERE) blocked = hitUnitSphere(ray).hit;

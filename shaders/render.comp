@@ -1,5 +1,5 @@
 #version 450
-// One pixel of one tile: its ray, the nearest hit, the film's planes.
+// One pixel of one tile, or of the list of pixels to retry: its ray, the nearest hit, the film's planes.
 #extension GL_GOOGLE_include_directive : require
 
 #include "resources.glsl"
@@ -8,6 +8,10 @@
 
 layout(local_size_x = GROUP_SIZE_X, local_size_y = GROUP_SIZE_Y) in;
 layout(binding = BINDING_FILM, r32ui) uniform uimage2DArray film;
+layout(std430, binding = BINDING_RETRY) buffer Retry {
+    RetryHead retry;
+    uint retry_pixels[];
+};
 layout(push_constant) uniform Params { RenderParams params; };
 
 const uint kColourPlanes = 7u << PLANE_R;
@@ -46,33 +50,57 @@ void putGeometry(ivec2 pixel, SurfacePoint point) {
     put(pixel, PLANE_U, point.hit ? 0.5 + atan2Precise(p.x, p.z) / (2.0 * kPi) : 0.0);
     put(pixel, PLANE_V, point.hit ? atan2Precise(length(p.xz), p.y) / kPi : 0.0);
     put(pixel, PLANE_ID, uint(point.object + 1));
-    put(pixel, PLANE_STEPS, uint(point.steps));
+    put(pixel, PLANE_STEPS, point.hit ? uint(point.steps) : 0u);
     put(pixel, PLANE_RESIDUAL, point.hit ? point.residual : 0.0);
     put(pixel, PLANE_OBJECT_PX, p);
     put(pixel, PLANE_START_X, point.hit ? point.start : nothing);
     put(pixel, PLANE_FLAGS, (point.inside ? 1u : 0u) | (point.exhausted ? 2u : 0u));
 }
 
-void main() {
-    ivec2 pixel = ivec2(params.tile_x, params.tile_y) + ivec2(gl_GlobalInvocationID.xy);
-    if (pixel.x >= params.tile_x1 || pixel.y >= params.tile_y1) return;
+// False for an invocation without a pixel.
+bool findPixel(out ivec2 pixel) {
+    if (kPrecision == PRECISION_FILTER) {
+        // Eight lanes in a row are 4 x 2 pixels: their rays differ less than those of 8 x 1.
+        ivec2 lane = ivec2(gl_LocalInvocationID.xy);
+        ivec2 within = ivec2((lane.x & 3) | (lane.y & 1) << 2, (lane.y & 6) | lane.x >> 2);
+        pixel = ivec2(params.tile_x, params.tile_y) + ivec2(gl_WorkGroupID.xy) * ivec2(GROUP_SIZE_X, GROUP_SIZE_Y) + within;
+        return pixel.x < params.tile_x1 && pixel.y < params.tile_y1;
+    }
+    uint index = gl_WorkGroupID.x * (GROUP_SIZE_X * GROUP_SIZE_Y) + gl_LocalInvocationIndex;
+    bool listed = index < retry.count;
+    uint packed = listed ? retry_pixels[index] : 0u;
+    pixel = ivec2(packed & 0xffffu, packed >> 16);
+    return listed;
+}
+
+// Film planes of a pixel whose ray, or one of its shadow rays, is in doubt are left to the other precision.
+void shade(ivec2 pixel) {
     ivec2 raster = pixel + ivec2(params.film_x, params.film_y);
     bool centre = params.sample_index < 0;
     vec2 jitter = centre ? vec2(0.0) : samplePosition(raster.x, raster.y, params.sample_index, params.seed);
     SurfacePoint point = nearestHit(vec2(raster), jitter);
-    putGeometry(pixel, point);
-    if ((kPlanes & (kColourPlanes | (7u << PLANE_ALBEDO_R) | (1u << PLANE_LIT))) == 0u) return;
-
+    bool doubtful = point.doubtful;
+    bool wants_light = (kPlanes & (kColourPlanes | (7u << PLANE_ALBEDO_R) | (1u << PLANE_LIT))) != 0u;
     vec3 albedo = vec3(0.0);
     vec3 colour = vec3(0.0);
     uint lit = 0u;
-    if (point.hit) {
+    if (wants_light && point.hit && !doubtful) {
         albedo = albedoOf(point);
-        lit = visibleLights(point);
+        lit = visibleLights(point, doubtful);
         colour = directLight(point, albedo, lit);
     }
+    if (doubtful) {
+        retry_pixels[atomicAdd(retry.count, 1u)] = uint(pixel.x) | uint(pixel.y) << 16;
+        return;
+    }
+    putGeometry(pixel, point);
     put(pixel, PLANE_ALBEDO_R, albedo);
     put(pixel, PLANE_LIT, lit);
     if ((kPlanes & kColourPlanes) != 0u)
         put(pixel, PLANE_R, params.sample_index > 0 ? storedColour(pixel) + colour : colour);
+}
+
+void main() {
+    ivec2 pixel;
+    if (findPixel(pixel)) shade(pixel);
 }

@@ -9,6 +9,7 @@ layout(constant_id = SPEC_OBJECT_COUNT) const int kObjectCount = 1;
 layout(constant_id = SPEC_LIGHT_COUNT) const int kLightCount = 0;
 layout(constant_id = SPEC_KINDS) const int kKinds = 1;
 layout(constant_id = SPEC_PLANES) const uint kPlanes = 0u;
+layout(constant_id = SPEC_PRECISION) const int kPrecision = PRECISION_FULL;
 
 layout(std140, binding = BINDING_OBJECTS) uniform Objects { ObjectData objects[MAX_OBJECTS]; };
 layout(std140, binding = BINDING_MAPS) uniform Maps { MapData maps[MAX_OBJECTS]; };
@@ -46,6 +47,7 @@ float leadingBits(float x) {
 #include "frame.glsl"
 #include "walk.glsl"
 #include "march.glsl"
+#include "filter.glsl"
 #include "hit.glsl"
 #include "naive.glsl"
 #include "objects.glsl"

@@ -2,9 +2,10 @@
 
 // The nearest hit, made ready for shading. World space unless said otherwise.
 struct SurfacePoint {
-    bool hit, inside, exhausted;
+    bool hit, inside, exhausted, doubtful;
     int object, steps;
     float t;
+    vec3 from_first;  // position seen from object 0's centre
     vec3 position, normal;
     vec3 object_position, start;  // object space, units of R; start: P', where secondary rays begin
     vec3 albedo;
@@ -13,11 +14,20 @@ struct SurfacePoint {
     float residual;
 };
 
+// Whether the hit at distance t along `towards`, at `from_first` from object 0's centre, comes before the best so far. From
+// afar t rounds to more than objects are apart; places near object 0 then tell them apart.
+bool isNearer(SurfacePoint best, float t, vec3 towards, vec3 from_first) {
+    if (!best.hit) return true;
+    bool far = max(dot(from_first, from_first), dot(best.from_first, best.from_first)) < t * t;
+    return far && !best.inside ? dot(towards, from_first - best.from_first) < 0.0 : t < best.t;
+}
+
 SurfacePoint nearestHit(vec2 raster, vec2 jitter) {
     SurfacePoint best;
     best.hit = false;
     best.inside = false;
     best.exhausted = false;
+    best.doubtful = false;
     best.object = -1;
     best.steps = 0;
     best.t = kInfinity;
@@ -28,12 +38,16 @@ SurfacePoint nearestHit(vec2 raster, vec2 jitter) {
         ObjectHit hit = hitObject(object, map, cameraRay(object, pixel, jitter));
         best.steps += hit.steps;
         best.exhausted = best.exhausted || hit.exhausted;
-        float t = hit.inside ? 0.0 : cameraDistance(object, hit.p, pixel + jitter);
-        if (hit.hit && t < best.t) {
+        best.doubtful = best.doubtful || hit.doubtful;
+        vec3 towards = fromRayStart(object, hit.p, pixel + jitter);
+        float t = hit.inside ? 0.0 : length(towards);
+        vec3 from_first = fromCentre(object, hit.p) + object.from_first.xyz;
+        if (hit.hit && isNearer(best, t, towards, from_first)) {
             best.hit = true;
             best.inside = hit.inside;
             best.object = k;
             best.t = t;
+            best.from_first = from_first;
             best.position = worldFromObjectPoint(object, hit.p);
             best.normal = worldNormal(object, hit.n);
             best.object_position = hit.p;
@@ -55,8 +69,8 @@ vec3 albedoOf(SurfacePoint point) {
     return mix(ramp_points[first].rgb, ramp_points[first + 1].rgb, place - float(k));
 }
 
-// Whether light k is seen from P'.
-bool isLit(SurfacePoint point, LightData light) {
+// Whether the light is seen from P'. `doubtful` is set where another precision must decide.
+bool isLit(SurfacePoint point, LightData light, inout bool doubtful) {
     bool ends = light.position.w > 0.5;
     vec3 towards = ends ? light.position.xyz - point.position : light.position.xyz;
     bool lit = dot(towards, point.normal) > 0.0;
@@ -68,14 +82,14 @@ bool isLit(SurfacePoint point, LightData light) {
         if (!own) start = objectFromWorldPoint(object, worldFromObjectPoint(objects[point.object], point.start));
         vec3 offset = ends ? objectFromWorldPoint(object, light.position.xyz) - start
                            : objectFromWorldVector(object, light.position.xyz);
-        lit = !blocks(object, map, secondaryRay(start, offset, ends));
+        lit = !blocks(object, map, secondaryRay(start, offset, ends), doubtful);
     }
     return lit;
 }
 
-uint visibleLights(SurfacePoint point) {
+uint visibleLights(SurfacePoint point, inout bool doubtful) {
     uint mask = 0u;
-    for (int k = 0; k < kLightCount; ++k) mask |= isLit(point, lights[k]) ? 1u << k : 0u;
+    for (int k = 0; k < kLightCount; ++k) mask |= isLit(point, lights[k], doubtful) ? 1u << k : 0u;
     return mask;
 }
 

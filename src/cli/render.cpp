@@ -84,6 +84,7 @@ void report(const RenderOptions& options, const std::filesystem::path& path, con
                                        {"device_seconds", stats.device_seconds},
                                        {"camera_rays", stats.camera_rays},
                                        {"camera_rays_per_second", rays_per_second},
+                                       {"retried_pixels", stats.retried_pixels},
                                        {"map_bytes", map_bytes}};
         fmt::print("{}\n", json.dump(2));
     }
@@ -94,7 +95,8 @@ void report(const RenderOptions& options, const std::filesystem::path& path, con
     fmt::print(stderr, "speed    {:.1f} million camera rays a second, with their shadow rays\n",
                rays_per_second * 1e-6);
     if (options.common.verbose)
-        fmt::print(stderr, "maps     {:.1f} MiB on the device\n", double(map_bytes) / 1048576.0);
+        fmt::print(stderr, "maps     {:.1f} MiB on the device\nretried  {} pixels in full precision\n",
+                   double(map_bytes) / 1048576.0, stats.retried_pixels);
 }
 
 int runRender(const RenderOptions& options) {

@@ -30,6 +30,10 @@ struct Frame {
     double unit;
 };
 
+dvec3 centreOf(const Shape& shape) {
+    return transformPoint(shape.world_from_object, dvec3(0.0));
+}
+
 /// A vector as the shader keeps it twice as long: row + row_lo, whose sum has 48 bits.
 void splitInto(vec4& row, vec4& row_lo, const dvec3& v) {
     row = narrow(v, 0.0);
@@ -163,6 +167,7 @@ PackedScene packScene(const Scene& scene, const SceneMaps& maps) {
         Frame frame{shape.world_from_object, glm::inverse(shape.world_from_object), unit};
         packCameraRays(object, frame, raster);
         packTransforms(object, frame);
+        object.from_first = narrow(centreOf(shape) - centreOf(scene.shapes[0]), 0.0);
         packMaterial(object, shape, maps.reliefs[i]);
         packed.kinds |= 1u << object.kind;
         packed.objects.push_back(object);

@@ -1,6 +1,7 @@
 #include "render/probe.h"
 
 #include "gpu/buffer.h"
+#include "gpu/commands.h"
 #include "render/marchpipeline.h"
 #include "shaders/probe.spv.h"
 
@@ -31,7 +32,7 @@ layout::ProbeRay narrowRay(const ProbeQuery& query) {
 Probe::Probe(gpu::Device& device, const PackedScene& packed, Marcher marcher)
     : device_(device),
       device_scene_(device, packed),
-      pipeline_(makeMarchPipeline(device, packed, kSpirv_probe, Shader::Probe, marcher, 0)) {}
+      pipeline_(makeMarchPipeline(device, packed, kSpirv_probe, Shader::Probe, marcher, Precision::Both, 0)) {}
 
 std::vector<layout::ProbeHit> Probe::trace(const std::vector<ProbeQuery>& queries) {
     std::vector<layout::ProbeRay> rays;

@@ -2,8 +2,7 @@
 
 #include "base/error.h"
 #include "gpu/device.h"
-#include "render/marchpipeline.h"
-#include "shaders/render.spv.h"
+#include "render/pass.h"
 
 #include <algorithm>
 #include <bit>
@@ -19,10 +18,6 @@ namespace {
 constexpr int kTileRows = 16, kTileColumns = 2048;
 // Work handed over at once stays well below every driver's watchdog (2 s the shortest).
 constexpr double kSubmitTarget = 0.05;
-
-int groups(int pixels, int group) {
-    return (pixels + group - 1) / group;
-}
 
 std::vector<Box> makeTiles(const std::vector<Span>& spans) {
     std::vector<Box> tiles;
@@ -67,63 +62,49 @@ struct Renderer::Film {
     }
 };
 
-struct Renderer::Pass {
-    const gpu::ComputePipeline& pipeline;
-    const gpu::BindingSet& set;
-    std::uint32_t seed;
-    std::size_t tiles_at_once = 1;
-};
-
 Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Scene& scene, Marcher marcher)
     : device_(device),
       packed_(packed),
       device_scene_(device, packed),
-      batch_(device, "render"),
       marcher_(marcher),
       crop_(cropBox(scene.film)),
       display_{0, 0, scene.film.width, scene.film.height},
       spans_(objectSpans(packed.objects, crop_)),
       tiles_(makeTiles(spans_)) {}
 
-// One tile after another, as many a submission as fit the time target.
-void Renderer::runTiles(Pass& pass, int sample, double done_before, double share, const Progress& progress) {
-    std::size_t count = tiles_.size();
-    for (std::size_t tile = 0; tile < count;) {
-        std::size_t end = std::min(tile + pass.tiles_at_once, count);
-        batch_.bind(pass.pipeline, pass.set);
-        for (std::size_t k = tile; k < end; ++k) {
-            const Box& box = tiles_[k];
-            batch_.push(layout::RenderParams{box.x0, box.y0, box.x1, box.y1, crop_.x0, crop_.y0, sample, pass.seed});
-            batch_.dispatch(std::uint32_t(groups(box.width(), GROUP_SIZE_X)),
-                            std::uint32_t(groups(box.height(), GROUP_SIZE_Y)), 1);
-        }
-        double seconds = batch_.submit();
+// Rounds of tiles: as many a round as fit the time target and the pass.
+void Renderer::runTiles(Pass& pass, int sample, std::uint32_t seed, const Progress& progress) {
+    std::vector<layout::RenderParams> round;
+    std::uint64_t pixels = 0;
+    for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
+        const Box& box = tiles_[tile];
+        round.push_back({box.x0, box.y0, box.x1, box.y1, crop_.x0, crop_.y0, sample, seed});
+        pixels += std::uint64_t(box.width()) * std::uint64_t(box.height());
+        bool last = tile + 1 == tiles_.size();
+        if (!last && round.size() < tiles_at_once_ && pixels + kTileRows * kTileColumns <= Pass::kMostPixels) continue;
+        double seconds = pass.run(round);
         stats_.device_seconds += seconds;
-        if (seconds < 0.5 * kSubmitTarget) pass.tiles_at_once = std::min(2 * pass.tiles_at_once, count);
-        if (seconds > 2.0 * kSubmitTarget) pass.tiles_at_once = std::max<std::size_t>(1, pass.tiles_at_once / 2);
-        tile = end;
-        if (progress && !progress(done_before + share * double(tile) / double(count)))
+        if (seconds < 0.5 * kSubmitTarget) tiles_at_once_ = std::min(2 * tiles_at_once_, tiles_.size());
+        if (seconds > 2.0 * kSubmitTarget) tiles_at_once_ = std::max<std::size_t>(1, tiles_at_once_ / 2);
+        round.clear();
+        pixels = 0;
+        if (progress && !progress(double(tile + 1) / double(tiles_.size())))
             throw Error(ExitCode::Interrupted, "interrupted; nothing was written");
     }
     stats_.camera_rays += crop_.width() * std::uint64_t(crop_.height());
 }
 
 Image Renderer::render(std::uint32_t mask, int samples, std::uint32_t seed, const Progress& progress) {
-    gpu::ComputePipeline pipeline = makeMarchPipeline(device_, packed_, kSpirv_render, Shader::Render, marcher_, mask);
     Film film(device_, crop_, mask);
-    std::vector<gpu::Resource> resources = device_scene_.resources();
-    resources.push_back(&film.image);
-    gpu::BindingSet set(device_, pipeline, resources, "render");
-    // Drivers compile at the first dispatch: let one without pixels pay for it, outside of the timing.
-    batch_.bind(pipeline, set);
-    batch_.push(layout::RenderParams{});
-    batch_.dispatch(1, 1, 1);
-    batch_.submit();
-
-    Pass pass{pipeline, set, seed};
-    if (samples == 0) runTiles(pass, -1, 0.0, 1.0, progress);
-    for (int sample = 0; sample < samples; ++sample)
-        runTiles(pass, sample, double(sample) / samples, 1.0 / samples, progress);
+    Pass pass(device_, packed_, device_scene_, film.image, marcher_, mask);
+    tiles_at_once_ = 1;
+    // No samples: the pixels' centres, which are sample -1.
+    int first = samples == 0 ? -1 : 0, count = std::max(samples, 1);
+    for (int k = 0; k < count; ++k) {
+        auto part = [&](double share) { return !progress || progress((k + share) / count); };
+        runTiles(pass, first + k, seed, part);
+    }
+    stats_.retried_pixels += pass.retried();
     Image image = film.read(crop_, display_);
     fillMisses(image);
     return image;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "base/image.h"
-#include "gpu/commands.h"
 #include "render/devicescene.h"
 #include "render/planes.h"
 #include "render/spans.h"
@@ -17,10 +16,13 @@ enum class Marcher { Exact, Naive, NaiveShell };
 struct RenderStats {
     double device_seconds = 0.0;  ///< of all dispatches, pipelines warm
     std::uint64_t camera_rays = 0;
+    std::uint64_t retried_pixels = 0;  ///< samples of pixels that single floats could not decide
 };
 
 /// Called with the share of the work that is done, 0 to 1; false stops the render.
 using Progress = std::function<bool(double)>;
+
+class Pass;
 
 /// Renders one scene on one device. The packed scene and device must outlive it.
 class Renderer {
@@ -37,20 +39,19 @@ class Renderer {
 
   private:
     struct Film;
-    struct Pass;
 
     Image render(std::uint32_t mask, int samples, std::uint32_t seed, const Progress& progress);
-    void runTiles(Pass& pass, int sample, double done_before, double share, const Progress& progress);
+    void runTiles(Pass& pass, int sample, std::uint32_t seed, const Progress& progress);
     void fillMisses(Image& image) const;
 
     gpu::Device& device_;
     const PackedScene& packed_;
     DeviceScene device_scene_;
-    gpu::Batch batch_;
     Marcher marcher_;
     Box crop_, display_;
     std::vector<Span> spans_;  ///< one a row of the crop
     std::vector<Box> tiles_;   ///< what is dispatched, in film pixels
+    std::size_t tiles_at_once_ = 1;
     RenderStats stats_;
 };
 

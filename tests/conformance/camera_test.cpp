@@ -183,6 +183,23 @@ TEST_F(Several, IntersectingSpheres) {
     expectContract(report);
 }
 
+// From so far that t alone cannot tell which of them comes first.
+TEST_F(Several, IntersectingSpheresFarAway) {
+    for (double distance : {1e2, 1e4, 1e6}) {
+        World world;
+        int map = world.addMap(ground(), rough());
+        world.addSphere(rough(), map, translation({-0.4, 0.0, 0.0}));
+        world.addSphere(rough(40.0), map, translation({0.3, 0.2, 0.1}) * kTilted);
+        world.addPlain(Sphere{1.0}, translation({0.0, -0.5, 0.2}));
+        world.addPlain(Disk{0.0, 1.5, 0.0}, kTilted);
+        world.addSun(kSun);
+        world.lookAt(distance * direction(0.2, 0.3), dvec3(0.0), kUp, pictureFov(distance, 0.5));
+        verify::Report report = picture(world).report;
+        EXPECT_GT(report.hits, 3000u);
+        expectContract(report);
+    }
+}
+
 // Shadows fall from the displaced sphere onto the plain one and the ground, and from them onto it.
 TEST_F(Several, SphereAndDiskAsGround) {
     World world;

@@ -37,9 +37,11 @@ inline real leadingBits(real x) {
 #include "shaders/frame.glsl"
 #include "shaders/walk.glsl"
 #include "shaders/march.glsl"
+#include "shaders/filter.glsl"
 
 // All kinds of object, the exact marcher: what the device gets by specialisation.
 constexpr int kMarcher = MARCHER_EXACT;
+constexpr int kPrecision = PRECISION_BOTH;
 constexpr int kKinds = 1 << KIND_DISPLACED | 1 << KIND_SPHERE | 1 << KIND_DISK;
 
 #include "shaders/hit.glsl"

@@ -1,0 +1,89 @@
+#include "render/pass.h"
+
+#include "gpu/device.h"
+#include "shaders/render.spv.h"
+
+#include <algorithm>
+
+namespace dsphere {
+
+namespace {
+
+std::uint32_t groups(int pixels, int group) {
+    return std::uint32_t((pixels + group - 1) / group);
+}
+
+std::uint64_t listBytes(const gpu::StorageImage& film) {
+    std::uint64_t pixels = std::min(std::uint64_t(film.width()) * film.height(), Pass::kMostPixels);
+    return sizeof(layout::RetryHead) + pixels * sizeof(std::uint32_t);
+}
+
+std::vector<gpu::Resource> bindAll(const DeviceScene& scene, const gpu::StorageImage& film, const gpu::Buffer& list) {
+    std::vector<gpu::Resource> resources = scene.resources();
+    resources.push_back(&film);
+    resources.push_back(&list);
+    return resources;
+}
+
+}  // namespace
+
+Pass::Pass(gpu::Device& device, const PackedScene& packed, const DeviceScene& device_scene,
+           const gpu::StorageImage& film, Marcher marcher, std::uint32_t mask)
+    : device_(device),
+      packed_(packed),
+      marcher_(marcher),
+      mask_(mask),
+      retry_list_(device, gpu::Buffer::Usage::Storage, gpu::Buffer::Place::Device, listBytes(film), "retry list"),
+      filter_(makePipeline(Precision::Filter)),
+      set_(device, filter_, bindAll(device_scene, film, retry_list_), "render"),
+      batch_(device, "render") {
+    layout::RetryHead none = {};
+    retry_list_.upload(0, sizeof(none), &none);
+    warmUp(filter_);
+}
+
+gpu::ComputePipeline Pass::makePipeline(Precision precision) const {
+    return makeMarchPipeline(device_, packed_, kSpirv_render, Shader::Render, marcher_, precision, mask_);
+}
+
+// Drivers compile at the first dispatch: one without pixels pays for it, outside of the timing.
+void Pass::warmUp(const gpu::ComputePipeline& pipeline) {
+    batch_.bind(pipeline, set_);
+    batch_.push(layout::RenderParams{});
+    batch_.dispatch(1, 1, 1);
+    batch_.submit();
+}
+
+double Pass::run(std::span<const layout::RenderParams> tiles) {
+    if (tiles.empty()) return 0.0;
+    batch_.bind(filter_, set_);
+    for (const layout::RenderParams& tile : tiles) {
+        batch_.push(tile);
+        batch_.dispatch(groups(tile.tile_x1 - tile.tile_x, GROUP_SIZE_X),
+                        groups(tile.tile_y1 - tile.tile_y, GROUP_SIZE_Y), 1);
+    }
+    double seconds = batch_.submit();
+    return seconds + retry(tiles.front());
+}
+
+double Pass::retry(layout::RenderParams params) {
+    layout::RetryHead head;
+    retry_list_.download(0, sizeof(head), &head);
+    if (head.count == 0) return 0.0;
+    retried_ += head.count;
+    if (!full_) {
+        layout::RetryHead none = {};
+        retry_list_.upload(0, sizeof(none), &none);
+        warmUp(full_.emplace(makePipeline(Precision::Full)));
+        retry_list_.upload(0, sizeof(head), &head);
+    }
+    batch_.bind(*full_, set_);
+    batch_.push(params);
+    batch_.dispatch(groups(int(head.count), GROUP_SIZE_X * GROUP_SIZE_Y), 1, 1);
+    double seconds = batch_.submit();
+    head.count = 0;
+    retry_list_.upload(0, sizeof(head), &head);
+    return seconds;
+}
+
+}  // namespace dsphere
