@@ -14,6 +14,14 @@ const real kAxisDoubt = real(2e-5);
 // Longer searches are left to the other walk, whose own steps count towards the same limit of the device.
 const int kFilterSteps = 12000;
 
+real lesser(real a, real b) {
+    return a < b ? a : b;
+}
+
+real greater(real a, real b) {
+    return a > b ? a : b;
+}
+
 // The north-west corner of a cell: sine and cosine of its longitude and colatitude.
 struct Corner {
     vec2 west, north;
@@ -23,18 +31,18 @@ Corner cornerOf(MapData map, ivec2 cell) {
     vec4 west = edgesAt(cell.x, map.edges_y);
     vec4 north = edgesAt(cell.y, map.edges_y + 1);
     Corner corner;
-    corner.west = vec2(west.x + west.z, west.y + west.w);
-    corner.north = vec2(north.x + north.z, north.y + north.w);
+    corner.west = vec2(west.x, west.y);
+    corner.north = vec2(north.x, north.y);
     return corner;
 }
 
 // A point seen from a corner.
 struct Sight {
-    real east, south;  // radians
-    real rho, radius;  // distance to the axis and to the centre
+    real columns, rows;  // in cells, caps counted as half a row
+    real rho, radius;    // distance to the axis and to the centre
 };
 
-Sight sightOf(Corner corner, vec3 p) {
+Sight sightOf(Corner corner, MapData map, vec3 p) {
     Sight sight;
     real across = p.x * corner.west.y - p.z * corner.west.x;
     real along = p.x * corner.west.x + p.z * corner.west.y;
@@ -42,28 +50,24 @@ Sight sightOf(Corner corner, vec3 p) {
     real down = sight.rho * corner.north.y - p.y * corner.north.x;
     real toward = sight.rho * corner.north.x + p.y * corner.north.y;
     sight.radius = sqrt(down * down + toward * toward);
-    sight.east = atanSmall(across / max(along, kTiny));
-    sight.south = atanSmall(down / max(toward, kTiny));
+    sight.columns = atanSmall(across / greater(along, kTiny)) * real(map.cells_per_radian_u);
+    sight.rows = atanSmall(down / greater(toward, kTiny)) * real(map.cells_per_radian_v);
     return sight;
 }
 
 // A part of a ray below a leaf: its place at x in [0, 1] is start + x (slope + x bend).
 struct Piece {
-    vec3 start, slope, bend;  // columns and rows from the corner of `cell`, and |p| - base
-    ivec2 cell;               // where it starts
-    real s_end, extent;       // in units of R
+    Corner corner;
+    vec3 start, slope, bend;  // columns and rows from the corner, and |p| - base
+    ivec2 cell;               // where it starts: the corner's
+    real s, s_end, extent;    // extent = s_end - s
     vec2 steepness;           // slope of the surface per height difference of a cell, eastward and southward
     bool doubtful;
 };
 
-vec3 placeAt(Piece piece, real x) {
-    return piece.start + x * (piece.slope + x * piece.bend);
-}
-
 vec3 placeOf(Corner corner, MapData map, real base, vec3 p) {
-    Sight sight = sightOf(corner, p);
-    return vec3(sight.east * real(map.cells_per_radian_u), sight.south * real(map.cells_per_radian_v),
-                sight.radius - base);
+    Sight sight = sightOf(corner, map, p);
+    return vec3(sight.columns, sight.rows, sight.radius - base);
 }
 
 // The longest piece that starts at s.
@@ -71,21 +75,21 @@ Piece makePiece(Ray ray, MapData map, real base, real across_axis, real s, real 
     Piece piece;
     vec3 p = ray.c + s * ray.d;
     piece.cell = locateCell(map, p);
-    Corner corner = cornerOf(map, piece.cell);
-    Sight sight = sightOf(corner, p);
-    real longest = min(kPieceAcross * sight.rho / across_axis, kPieceLength * sight.radius);
-    piece.s_end = min(s + max(longest, kShortestChord), s_end);
+    piece.corner = cornerOf(map, piece.cell);
+    Sight sight = sightOf(piece.corner, map, p);
+    real longest = lesser(kPieceAcross * sight.rho / across_axis, kPieceLength * sight.radius);
+    piece.s = s;
+    piece.s_end = lesser(s + greater(longest, kShortestChord), s_end);
     piece.extent = piece.s_end - s;
-    piece.start = vec3(sight.east * real(map.cells_per_radian_u), sight.south * real(map.cells_per_radian_v),
-                       sight.radius - base);
-    vec3 middle = placeOf(corner, map, base, ray.c + (s + real(0.5) * piece.extent) * ray.d);
-    vec3 end = placeOf(corner, map, base, ray.c + piece.s_end * ray.d);
+    piece.start = vec3(sight.columns, sight.rows, sight.radius - base);
+    vec3 middle = placeOf(piece.corner, map, base, ray.c + (s + real(0.5) * piece.extent) * ray.d);
+    vec3 end = placeOf(piece.corner, map, base, ray.c + piece.s_end * ray.d);
     piece.bend = real(2) * (piece.start + end - real(2) * middle);
     piece.slope = end - piece.start - piece.bend;
     real closest = (real(1) - kPieceAcross) * sight.rho;
-    piece.steepness = vec2(real(map.cells_per_radian_u) / max(closest, kTiny),
-                           real(map.cells_per_radian_v) / max((real(1) - kPieceLength) * sight.radius, kTiny));
-    piece.doubtful = sight.rho < kAxisDoubt;
+    piece.steepness = vec2(real(map.cells_per_radian_u) / greater(closest, kTiny),
+                           real(map.cells_per_radian_v) / greater((real(1) - kPieceLength) * sight.radius, kTiny));
+    piece.doubtful = !(sight.rho > kAxisDoubt);
     return piece;
 }
 
@@ -98,12 +102,12 @@ struct Advance {
 
 Advance advanceTo(real gap, real rate, real bend) {
     real square = rate * rate + real(4) * gap * bend;
-    real root = sqrt(max(square, real(0)));
     Advance advance;
     advance.crosses = square >= real(0);
-    real crossing = real(2) * abs(gap) / max(abs(rate) + root, kTiny);
-    real turn = real(0.5) * abs(rate) / max(abs(bend), kTiny) + real(1e-5);
-    advance.by = advance.crosses ? crossing : turn;
+    real speed = abs(rate);
+    real numerator = advance.crosses ? real(2) * abs(gap) : real(0.5) * speed;
+    real denominator = advance.crosses ? speed + sqrt(square) : abs(bend);
+    advance.by = numerator / greater(denominator, kTiny) + (advance.crosses ? real(0) : real(1e-5));
     return advance;
 }
 
@@ -116,23 +120,32 @@ struct Stroll {
     ivec2 cell;
     vec2 corner;
     real x;
-    real low, high;  // ends of the last chord
-    real fall;       // after a hit: dg/dx there, of the chord's parabola
     bool going, hit, inside, doubtful;
+    // The last chord: x at its ends, and what it was solved with.
+    real low, high;
+    Patch quad;
+    Chord chord;
 };
 
-PatchPoint strollPoint(Stroll stroll, Patch quad, vec3 place, real rows_per_height) {
-    PatchPoint at;
-    at.fu = place.x - stroll.corner.x;
-    at.fv = (place.y - stroll.corner.y) * rows_per_height;
-    at.g = place.z - patchValue(quad, at.fu, at.fv);
-    return at;
+// g along a chord, y in [0, 1], in the patch and on its piece: the quartic's coefficients from the products, then the
+// parabola through its ends and middle, where y^3 = 1.5 y^2 - 0.5 y and y^4 = 1.75 y^2 - 0.75 y.
+Chord strollChord(Patch quad, vec3 start, vec3 slope, vec3 bend) {
+    real twist_1 = start.x * slope.y + start.y * slope.x;
+    real twist_2 = start.x * bend.y + slope.x * slope.y + start.y * bend.x;
+    real twist_3 = slope.x * bend.y + slope.y * bend.x;
+    real twist_4 = bend.x * bend.y;
+    real cubic = -quad.d * twist_3;
+    real quartic = -quad.d * twist_4;
+    real linear = slope.z - quad.b * slope.x - quad.c * slope.y - quad.d * twist_1;
+    real square = bend.z - quad.b * bend.x - quad.c * bend.y - quad.d * twist_2;
+    return makeChord(start.z - patchValue(quad, start.x, start.y), linear - real(0.5) * cubic - real(0.75) * quartic,
+                     square + real(1.5) * cubic + real(1.75) * quartic, cubic, quartic);
 }
 
-// An upper bound of the surface's |grad f| on a chord that runs between two points of a patch.
-real steepestOn(Patch quad, PatchPoint start, PatchPoint end, vec2 steepness) {
-    real east = max(abs(quad.b + quad.d * start.fv), abs(quad.b + quad.d * end.fv));
-    real south = max(abs(quad.c + quad.d * start.fu), abs(quad.c + quad.d * end.fu));
+// An upper bound of the surface's |grad f| between two places of a patch.
+real steepestOn(Patch quad, vec3 start, vec3 end, vec2 steepness) {
+    real east = greater(abs(quad.b + quad.d * start.y), abs(quad.b + quad.d * end.y));
+    real south = greater(abs(quad.c + quad.d * start.x), abs(quad.c + quad.d * end.x));
     return real(1) + east * steepness.x + south * steepness.y;
 }
 
@@ -140,64 +153,56 @@ real steepestOn(Patch quad, PatchPoint start, PatchPoint end, vec2 steepness) {
 void strollStep(INOUT(Stroll) stroll, Piece piece, MapData map, real scale, bool may_be_inside) {
     Patch quad = fetchPatch(map, scale, stroll.cell);
     real height = rowHeight(map, stroll.cell.y);
-    vec3 here = placeAt(piece, stroll.x);
-    vec3 rate = piece.slope + real(2) * stroll.x * piece.bend;
+    real rows_per_height = height < real(1) ? real(2) : real(1);
+    real x = stroll.x;
+    vec3 place = piece.start + x * (piece.slope + x * piece.bend) - vec3(stroll.corner, real(0));
+    vec3 rate = piece.slope + (real(2) * x) * piece.bend;
     bool east = rate.x > real(0);
     bool south = rate.y > real(0);
-    real gap_u = (east ? real(1) : real(0)) + stroll.corner.x - here.x;
-    real gap_v = (south ? height : real(0)) + stroll.corner.y - here.y;
     // A coordinate that rounding has put beyond the edge already is taken as on it.
-    Advance to_u = advanceTo(east ? max(gap_u, real(0)) : min(gap_u, real(0)), rate.x, piece.bend.x);
-    Advance to_v = advanceTo(south ? max(gap_v, real(0)) : min(gap_v, real(0)), rate.y, piece.bend.y);
-    bool pole_edge = south ? stroll.cell.y == map.rows - 1 : stroll.cell.y == 0;
-    if (pole_edge && to_v.crosses) {
-        to_v.crosses = false;
-        to_v.by = kInfinity;
-    }
-    real far = min(stroll.x + min(to_u.by, to_v.by), real(1));
+    real gap_u = east ? greater(real(1) - place.x, real(0)) : lesser(-place.x, real(0));
+    real gap_v = south ? greater(height - place.y, real(0)) : lesser(-place.y, real(0));
+    Advance to_u = advanceTo(gap_u, rate.x, piece.bend.x);
+    Advance to_v = advanceTo(gap_v, rate.y, piece.bend.y);
+    bool pole_edge = stroll.cell.y == (south ? map.rows - 1 : 0);
+    to_v.by = pole_edge && to_v.crosses ? kInfinity : to_v.by;
+    real by = lesser(lesser(to_u.by, to_v.by), real(1) - x);
 
-    real rows_per_height = real(1) / height;
-    PatchPoint start = strollPoint(stroll, quad, here, rows_per_height);
-    PatchPoint middle = strollPoint(stroll, quad, placeAt(piece, real(0.5) * (stroll.x + far)), rows_per_height);
-    PatchPoint end = strollPoint(stroll, quad, placeAt(piece, far), rows_per_height);
-    Chord chord = solveChord(start, middle, end, quad.d);
+    vec3 per_place = vec3(real(1), rows_per_height, real(1));
+    vec3 start = place * per_place;
+    vec3 slope = by * rate * per_place;
+    vec3 bend = (by * by) * piece.bend * per_place;
+    Chord chord = strollChord(quad, start, slope, bend);
     vec2 steepness = vec2(piece.steepness.x, piece.steepness.y * rows_per_height);
-    real band = kDoubt * steepestOn(quad, start, end, steepness) + chord.miss;
+    real band = kDoubt * steepestOn(quad, start, start + slope + bend, steepness) + chord.miss;
 
-    stroll.inside = may_be_inside && start.g < -band;
-    stroll.hit = stroll.inside || (chord.lowest < -band && start.g > real(0));
+    stroll.inside = may_be_inside && chord.g < -band;
+    stroll.hit = stroll.inside || (chord.lowest < -band && chord.g > real(0));
     // Written so that any NaN is a doubt.
-    stroll.doubtful = !stroll.hit && !(chord.lowest > band && start.g > real(0));
-    bool on = !stroll.hit && !stroll.doubtful;
-    stroll.going = on && far < real(1);
-    stroll.low = stroll.x;
-    stroll.high = far;
-    if (on) {
-        bool leaves_u = to_u.crosses && stroll.x + to_u.by <= far;
-        bool leaves_v = to_v.crosses && stroll.x + to_v.by <= far;
+    stroll.doubtful = !stroll.hit && !(chord.lowest > band && chord.g > real(0));
+    stroll.going = !stroll.hit && !stroll.doubtful && by < real(1) - x;
+    stroll.low = x;
+    stroll.high = x + by;
+    stroll.quad = quad;
+    stroll.chord = chord;
+    if (stroll.going) {
+        bool leaves_u = to_u.crosses && to_u.by <= by;
+        bool leaves_v = to_v.crosses && to_v.by <= by;
         real below = south ? height : -rowHeight(map, stroll.cell.y - 1);
-        stroll.x = far;
-        if (leaves_u) {
-            stroll.cell.x = wrapColumn(stroll.cell.x + (east ? 1 : -1), map.width);
-            stroll.corner.x += east ? real(1) : real(-1);
-        }
-        if (leaves_v) {
-            stroll.cell.y += south ? 1 : -1;
-            stroll.corner.y += below;
-        }
-    } else {
-        stroll.x += stroll.inside ? real(0) : chord.fraction * (far - stroll.x);
+        stroll.x = stroll.high;
+        stroll.cell.x = wrapColumn(stroll.cell.x + (leaves_u ? (east ? 1 : -1) : 0), map.width);
+        stroll.corner.x += leaves_u ? (east ? real(1) : real(-1)) : real(0);
+        stroll.cell.y += leaves_v ? (south ? 1 : -1) : 0;
+        stroll.corner.y += leaves_v ? below : real(0);
     }
-    stroll.fall = chord.fall / max(stroll.high - stroll.low, kTiny);
 }
 
 // The answer in single floats; where it is doubtful the rest means nothing.
 struct Filtered {
     bool hit, inside, doubtful;
-    ivec2 cell;
-    real s, low, high;  // s of the root, and of the ends of the chord that holds it
-    real fall;          // df/ds at the root, negative
     int steps;
+    Piece piece;
+    Stroll stroll;
 };
 
 // One leaf, or as much of it as one piece covers: the cursor is moved to its end.
@@ -208,13 +213,14 @@ void filterLeaf(INOUT(Filtered) answer, INOUT(Cursor) at, Ray ray, MapData map, 
     stroll.cell = piece.cell;
     stroll.corner = vec2(real(0));
     stroll.x = real(0);
-    stroll.low = real(0);
-    stroll.high = real(1);
-    stroll.fall = real(0);
     stroll.going = !piece.doubtful;
     stroll.hit = false;
     stroll.inside = false;
     stroll.doubtful = piece.doubtful;
+    stroll.low = real(0);
+    stroll.high = real(1);
+    stroll.quad = flatPatch();
+    stroll.chord = makeChord(real(0), real(0), real(0), real(0), real(0));
     bool may_be_inside = ray.may_start_inside && at.s <= ray.s_min;
     while (stroll.going && answer.steps < kFilterSteps) {
         strollStep(stroll, piece, map, scale, may_be_inside);
@@ -224,14 +230,9 @@ void filterLeaf(INOUT(Filtered) answer, INOUT(Cursor) at, Ray ray, MapData map, 
     answer.hit = stroll.hit;
     answer.inside = stroll.inside;
     answer.doubtful = stroll.doubtful;
-    answer.cell = stroll.cell;
-    answer.s = at.s + stroll.x * piece.extent;
-    answer.low = at.s + stroll.low * piece.extent;
-    answer.high = at.s + stroll.high * piece.extent;
-    answer.fall = stroll.fall / piece.extent;
-    // Where a leaf is longer than the piece, the next step finds the rest of it.
-    at.skip = piece.s_end >= at.leaf_end;
-    at.s = piece.s_end;
+    answer.piece = piece;
+    answer.stroll = stroll;
+    at.s = piece.s_end;  // where a leaf is longer than the piece, the next step finds the rest of it
     at.leaf = false;
 }
 
@@ -241,21 +242,17 @@ Filtered filterMarch(Ray ray, MapData map, real base, real scale, real shell_squ
     answer.hit = false;
     answer.inside = false;
     answer.doubtful = false;
-    answer.cell = ivec2(0);
-    answer.s = real(0);
-    answer.low = real(0);
-    answer.high = real(0);
-    answer.fall = real(0);
     answer.steps = 0;
     Cursor at;
+    FaceRay face;
     real s_end;
-    bool searching = startCursor(at, ray, map, shell_squared, s_end);
+    bool searching = startCursor(at, face, ray, map, shell_squared, s_end);
     real across_axis = acrossAxis(ray.d);
     while (searching) {
-        FaceRay face = faceRay(ray, at.axis, at.sign_of_face);
-        if (at.turned) findCell(at, face, map);
+        if (at.turned) turnFace(at, face, ray);
+        int face_row = faceRow(map, at.axis, at.sign_of_face);
         while (!at.leaf && !at.turned && at.s < s_end && answer.steps < kFilterSteps) {
-            traverseStep(at, face, ray, map, s_end);
+            traverseStep(at, face, face_row, ray, map, s_end);
             answer.steps += 1;
         }
         if (at.leaf) filterLeaf(answer, at, ray, map, base, scale, across_axis);
@@ -265,31 +262,34 @@ Filtered filterMarch(Ray ray, MapData map, real base, real scale, real shell_squ
     return answer;
 }
 
-// A float point, and the true surface seen from there.
-Crossing crossingAt(vec3 p, MapData map, real base, Patch quad, Corner corner, int row) {
+// A float point, and the true surface of the answer's cell seen from there.
+Crossing crossingAt(vec3 p, MapData map, real base, Filtered answer) {
     Crossing crossing;
     crossing.p = p;
-    Sight sight = sightOf(corner, crossing.p);
-    crossing.at.fu = clamp(sight.east * real(map.cells_per_radian_u), real(0), real(1));
-    crossing.at.fv = clamp(sight.south * cellsPerRadianV(map, row), real(0), real(1));
-    crossing.at.g = (sight.radius - base) - patchValue(quad, crossing.at.fu, crossing.at.fv);
-    crossing.gradient = patchGradient(map, quad, crossing.at, row, crossing.p);
+    Stroll stroll = answer.stroll;
+    Sight sight = sightOf(answer.piece.corner, map, p);
+    real rows_per_height = real(1) / rowHeight(map, stroll.cell.y);
+    crossing.at.fu = clamp(sight.columns - stroll.corner.x, real(0), real(1));
+    crossing.at.fv = clamp((sight.rows - stroll.corner.y) * rows_per_height, real(0), real(1));
+    crossing.at.g = (sight.radius - base) - patchValue(stroll.quad, crossing.at.fu, crossing.at.fv);
+    crossing.gradient = patchGradient(map, stroll.quad, crossing.at, stroll.cell.y, p);
     return crossing;
 }
 
 // Two Newton steps on the true f at float points, the first with the parabola's slope: what is left is f's rounding. Points
 // move from each other, not along s, whose own rounding would come on top.
-Crossing filterRefine(Ray ray, MapData map, real base, real scale, Filtered answer) {
-    Patch quad = fetchPatch(map, scale, answer.cell);
-    Corner corner = cornerOf(map, answer.cell);
-    Crossing first = crossingAt(ray.c + answer.s * ray.d, map, base, quad, corner, answer.cell.y);
-    real stride = answer.inside ? real(0) : -first.at.g / min(answer.fall, -kTiny);
-    stride = clamp(stride, answer.low - answer.s, answer.high - answer.s);
-    Crossing second = crossingAt(first.p + stride * ray.d, map, base, quad, corner, answer.cell.y);
+Crossing filterRefine(Ray ray, MapData map, real base, Filtered answer) {
+    Stroll stroll = answer.stroll;
+    real low = answer.piece.s + stroll.low * answer.piece.extent;
+    real length_of_chord = (stroll.high - stroll.low) * answer.piece.extent;
+    real y = answer.inside ? real(0) : chordRoot(stroll.chord);
+    Crossing first = crossingAt(ray.c + (low + y * length_of_chord) * ray.d, map, base, answer);
+    real fall = stroll.chord.slope + real(2) * y * stroll.chord.bend;
+    real moved = answer.inside ? y : clamp(y - first.at.g / lesser(fall, -kTiny), real(0), real(1));
+    Crossing second = crossingAt(first.p + ((moved - y) * length_of_chord) * ray.d, map, base, answer);
     real rate = dot(second.gradient, ray.d);
     bool steep = abs(rate) > real(1e-6) * length(second.gradient);
-    real s = answer.s + stride;
-    stride = steep && !answer.inside ? -second.at.g / rate : real(0);
-    stride = clamp(stride, answer.low - s, answer.high - s);
-    return crossingAt(second.p + stride * ray.d, map, base, quad, corner, answer.cell.y);
+    real stride = steep && !answer.inside ? -second.at.g / rate : real(0);
+    stride = clamp(stride, -moved * length_of_chord, (real(1) - moved) * length_of_chord);
+    return crossingAt(second.p + stride * ray.d, map, base, answer);
 }

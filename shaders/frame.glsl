@@ -28,6 +28,15 @@ bool isOnAxis(vec3 p, vec3 d) {
     return max(abs(p.x), abs(p.z)) < kOnAxis && max(abs(d.x), abs(d.z)) > kAlongAxis;
 }
 
+// Sine and cosine of an edge as turnPair wants them: leading 12 bits, and rest.
+vec4 splitEdge(vec4 edge) {
+    real sine = leadingBits(edge.x);
+    real cosine = leadingBits(edge.y);
+    precise real sine_rest = (edge.x - sine) + edge.z;
+    precise real cosine_rest = (edge.y - cosine) + edge.w;
+    return vec4(sine, cosine, sine_rest, cosine_rest);
+}
+
 // The frame of the cell that the ray is in at s, anchored near it. On the axis all columns meet, and the longitude jumps:
 // the column is then the one that the ray leaves to. Leaves often start there: cells of the cube map meet at the poles.
 Frame makeFrame(Ray ray, MapData map, Pair base, real s) {
@@ -37,8 +46,8 @@ Frame makeFrame(Ray ray, MapData map, Pair base, real s) {
     vec3 p = vec3(anchor.x.hi, anchor.y.hi, anchor.z.hi);
     vec3 at = ray.c + s * ray.d;  // the anchor may lie in another cell
     frame.cell = locateCell(map, isOnAxis(at, ray.d) ? vec3(kTurnAside * ray.d.x, at.y, kTurnAside * ray.d.z) : at);
-    vec4 west = edgesAt(frame.cell.x, map.edges_y);
-    vec4 north = edgesAt(frame.cell.y, map.edges_y + 1);
+    vec4 west = splitEdge(edgesAt(frame.cell.x, map.edges_y));
+    vec4 north = splitEdge(edgesAt(frame.cell.y, map.edges_y + 1));
     Turned around = turnPair(anchor.x, anchor.z, west);
     real along = around.second.hi + around.second.lo;
     frame.place = vec2(around.first, along);

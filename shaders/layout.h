@@ -23,7 +23,7 @@ using uint = std::uint32_t;
 #define BINDING_RAMPS 3
 #define BINDING_HEIGHTS 4  // r32f array: stored map values, pole rows included
 #define BINDING_BOUNDS 5   // r32f array: squared radii, the cube-map pyramids
-#define BINDING_EDGES 6    // rgba32f: sine and cosine of each cell's west (north) edge, as 12 leading bits and rest
+#define BINDING_EDGES 6    // rgba32f: sine and cosine of each cell's west (north) edge, then what their rounding left
 #define BINDING_FILM 7     // r32ui array: one layer a plane (probe.comp: the rays)
 #define BINDING_HITS 8     // probe.comp: the answers
 #define BINDING_RETRY 8    // render.comp: the pixels that FILTER leaves to FULL
@@ -40,8 +40,8 @@ using uint = std::uint32_t;
 #define MARCHER_NAIVE 1        // the seed's: from the camera
 #define MARCHER_NAIVE_SHELL 2  // the same, started at the shell
 
-// Of the exact marcher. FILTER decides in single floats what rounding cannot change, and lists the pixels where it could:
-// they are done again with FULL, 48 bits. BOTH does that at once, ray by ray.
+// Of the exact marcher. FILTER decides in single floats what rounding cannot change, and lists the pixels where it
+// could: they are done again with FULL, 48 bits. BOTH does that at once, ray by ray.
 #define PRECISION_FILTER 0
 #define PRECISION_FULL 1
 #define PRECISION_BOTH 2
@@ -122,9 +122,9 @@ struct LightData {
 };
 
 struct MapData {
-    int width, rows;       // cells: columns (wrapping) and rows from pole to pole
-    int heights_y, layer;  // where node row 0 lies in the heights image
-    int bounds_y, bounds_layer, bounds_side, bounds_levels;
+    int width, rows;                                      // cells: columns (wrapping) and rows from pole to pole
+    int heights_y, layer;                                 // where node row 0 lies in the heights image
+    int bounds_y, bounds_layer, bounds_side, start_side;  // start_side: of the level where camera rays start
     int edges_y;                           // row of the longitude edges; the colatitude edges lie in the next
     int caps;                              // 1: the first and last rows are half as high (texel registration)
     float columns_per_turn, first_column;  // column of longitude phi = phi / 2pi * columns_per_turn - first_column

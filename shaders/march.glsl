@@ -1,7 +1,7 @@
 // The exact marcher: first hit of a ray with the displaced sphere, in three steps. Traverse skips cells of a cube-map
 // pyramid of height maxima until the ray dips below one at the finest level; walk (walk.glsl) goes through the map's own
 // cells there and finds the first root along each chord; refine polishes it. Object space, units of R. Expects walk.glsl
-// and the resource function boundAt(map, face, level, i, j).
+// and the resource functions faceRow(map, axis, sign) and boundAt(map, face_row, side, i, j).
 
 // A line in the gnomonic coordinates of one cube face: a = (ca + s da) / (cm + s dm), b likewise. Face axis k = 0, 1, 2
 // (+ sign), a on axis k + 1, b on axis k + 2.
@@ -32,30 +32,27 @@ FaceRay faceRay(Ray ray, int axis, real sign_of_face) {
 }
 
 // Where the line reaches face coordinate `edge` ahead of it, never before s; kInfinity if it never does: exactly when
-// the denominator has the sign against the direction of travel.
+// the denominator has the sign against the direction of travel. (Here and below choices are spelled out: min and max
+// would cost a test for NaN more.)
 real edgeCrossing(real edge, real c_along, real d_along, real cm, real dm, bool grows, real s) {
     real rate = d_along - edge * dm;
     bool reached = grows ? rate > real(0) : rate < real(0);
-    return reached ? max(s, (edge * cm - c_along) / rate) : kInfinity;
+    real crossing = (edge * cm - c_along) / rate;
+    return reached ? (crossing > s ? crossing : s) : kInfinity;
 }
 
-// State of the traversal: a cell (i, j) of a level (0 the finest) of a face, entered at s.
+// State of the traversal: a cell (i, j) of a level of a face, which has side x side cells, entered at s.
 struct Cursor {
-    int axis, level, i, j;
-    real sign_of_face, s;
-    real leaf_end;   // set when a leaf is found: the ray is below the cell's bound on [s, leaf_end]
-    bool leaf, turned, skip;  // turned: just crossed to another face, (i, j) to be found anew
+    int axis, side, i, j;
+    real sign_of_face, width, s;  // width: of a cell, in face coordinates
+    real leaf_end;                // set when a leaf is found: the ray is below the cell's bound on [s, leaf_end]
+    bool leaf, turned, across_a;  // turned: the face was left, over an edge of its first coordinate or its second
 };
-
-int faceIndex(Cursor at) {
-    return at.axis * 2 + (at.sign_of_face < real(0) ? 1 : 0);
-}
 
 void chooseFace(INOUT(Cursor) at, vec3 p) {
     vec3 size = abs(p);
     at.axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
     at.sign_of_face = component(p, at.axis) < real(0) ? real(-1) : real(1);
-    at.turned = true;
 }
 
 int cellIndex(real along, real major, int side) {
@@ -63,74 +60,80 @@ int cellIndex(real along, real major, int side) {
     return clamp(int((coordinate * real(0.5) + real(0.5)) * real(side)), 0, side - 1);
 }
 
+// The cell of the cursor's level that holds the ray at s.
+void findCell(INOUT(Cursor) at, FaceRay face) {
+    real major = face.cm + at.s * face.dm;
+    at.i = cellIndex(face.ca + at.s * face.da, major, at.side);
+    at.j = cellIndex(face.cb + at.s * face.db, major, at.side);
+    at.turned = false;
+}
+
+// Over the edge of a face to its neighbour.
+void turnFace(INOUT(Cursor) at, INOUT(FaceRay) face, Ray ray) {
+    int next = at.axis == 2 ? 0 : at.axis + 1;
+    int previous = at.axis == 0 ? 2 : at.axis - 1;
+    at.axis = at.across_a ? next : previous;
+    at.sign_of_face = (at.across_a ? face.a_grows : face.b_grows) ? real(1) : real(-1);
+    face = faceRay(ray, at.axis, at.sign_of_face);
+    findCell(at, face);
+}
+
 // One step: descend below a bound that the ray dips under, or leave the cell.
-void traverseStep(INOUT(Cursor) at, FaceRay face, Ray ray, MapData map, real s_end) {
-    int side = map.bounds_side >> at.level;
-    real width = real(2) / real(side);
-    real edge_a = real(face.a_grows ? at.i + 1 : at.i) * width - real(1);
-    real edge_b = real(face.b_grows ? at.j + 1 : at.j) * width - real(1);
+void traverseStep(INOUT(Cursor) at, FaceRay face, int face_row, Ray ray, MapData map, real s_end) {
+    real edge_a = real(face.a_grows ? at.i + 1 : at.i) * at.width - real(1);
+    real edge_b = real(face.b_grows ? at.j + 1 : at.j) * at.width - real(1);
     real s_a = edgeCrossing(edge_a, face.ca, face.da, face.cm, face.dm, face.a_grows, at.s);
     real s_b = edgeCrossing(edge_b, face.cb, face.db, face.cm, face.dm, face.b_grows, at.s);
-    real s_exit = min(s_a, s_b);
-    real margin = boundAt(map, faceIndex(at), at.level, at.i, at.j) - ray.c2;  // s^2 below which the ray is under it
-    real nearest = clamp(real(0), at.s, s_exit);
-    bool below = nearest * nearest < margin && !at.skip;
-    bool finest = at.level == 0;
+    bool leaves_a = s_a <= s_b;
+    real s_exit = leaves_a ? s_a : s_b;
+    real margin = boundAt(map, face_row, at.side, at.i, at.j) - ray.c2;  // s^2 below which the ray is under it
+    real half_chord = sqrt(max(margin, real(0)));
+    // A leaf that was walked to its end is not entered again: s is where it ended.
+    bool below = margin > real(0) && at.s < half_chord && s_exit > -half_chord && at.s < s_exit;
     if (below) {
-        real half_chord = sqrt(max(margin, real(0)));
-        at.s = max(at.s, -half_chord);
-        at.leaf = finest;
-        at.leaf_end = min(min(s_exit, half_chord), s_end);
-        if (!finest) {
+        at.s = at.s < -half_chord ? -half_chord : at.s;
+        at.leaf = at.side == map.bounds_side;
+        real exit = s_exit < half_chord ? s_exit : half_chord;
+        at.leaf_end = exit < s_end ? exit : s_end;
+        if (!at.leaf) {
             real major = face.cm + at.s * face.dm;
-            real mid_a = (real(at.i) + real(0.5)) * width - real(1);
-            real mid_b = (real(at.j) + real(0.5)) * width - real(1);
+            real mid_a = (real(at.i) + real(0.5)) * at.width - real(1);
+            real mid_b = (real(at.j) + real(0.5)) * at.width - real(1);
             at.i = 2 * at.i + (face.ca + at.s * face.da >= mid_a * major ? 1 : 0);
             at.j = 2 * at.j + (face.cb + at.s * face.db >= mid_b * major ? 1 : 0);
-            at.level -= 1;
+            at.side *= 2;
+            at.width *= real(0.5);
         }
     } else {
-        bool leaves_a = s_a <= s_b;
         int i = at.i + (leaves_a ? (face.a_grows ? 1 : -1) : 0);
         int j = at.j + (leaves_a ? 0 : (face.b_grows ? 1 : -1));
         at.s = s_exit;
-        at.turned = i < 0 || j < 0 || i >= side || j >= side;
-        if (at.turned) {
-            at.axis = leaves_a ? (at.axis == 2 ? 0 : at.axis + 1) : (at.axis == 0 ? 2 : at.axis - 1);
-            at.sign_of_face = (leaves_a ? face.a_grows : face.b_grows) ? real(1) : real(-1);
-        } else {
-            bool up = ((i ^ at.i) | (j ^ at.j)) > 1 && at.level + 1 < map.bounds_levels;
-            at.i = up ? i >> 1 : i;
-            at.j = up ? j >> 1 : j;
-            at.level += up ? 1 : 0;
-        }
+        at.across_a = leaves_a;
+        at.turned = ((i | j) < 0) || i >= at.side || j >= at.side;
+        bool up = !at.turned && ((i ^ at.i) | (j ^ at.j)) > 1 && at.side > 1;
+        at.i = up ? i >> 1 : i;
+        at.j = up ? j >> 1 : j;
+        at.side = up ? at.side >> 1 : at.side;
+        at.width *= up ? real(2) : real(1);
     }
-    at.skip = false;
 }
 
-// Puts the cursor where the ray enters the shell; false if it never does, or is NaN. s_end: where the ray leaves it.
-bool startCursor(INOUT(Cursor) at, Ray ray, MapData map, real shell_squared, INOUT(real) s_end) {
+// Puts the cursor where the ray enters the shell; false if it never does, or is NaN. s_end: where the ray leaves it. The
+// levels above the starting one would only be descended through; a ray that skims the ground climbs to them by itself.
+bool startCursor(INOUT(Cursor) at, INOUT(FaceRay) face, Ray ray, MapData map, real shell_squared, INOUT(real) s_end) {
     real margin = shell_squared - ray.c2;
     real half_chord = sqrt(max(margin, real(0)));
     s_end = min(ray.s_max, half_chord);
     at.s = max(ray.s_min, -half_chord);
     chooseFace(at, ray.c + at.s * ray.d);
-    at.level = max(map.bounds_levels - 1 - 4, 0);
+    at.side = ray.may_start_inside ? map.start_side : map.bounds_side >> 1;
+    at.width = real(2) / real(at.side);
     at.leaf = false;
-    at.skip = false;
+    at.across_a = false;
     at.leaf_end = s_end;
-    at.i = 0;
-    at.j = 0;
+    face = faceRay(ray, at.axis, at.sign_of_face);
+    findCell(at, face);
     return margin > real(0) && at.s < s_end;
-}
-
-// The cell of the cursor's level after a change of face.
-void findCell(INOUT(Cursor) at, FaceRay face, MapData map) {
-    int side = map.bounds_side >> at.level;
-    real major = face.cm + at.s * face.dm;
-    at.i = cellIndex(face.ca + at.s * face.da, major, side);
-    at.j = cellIndex(face.cb + at.s * face.db, major, side);
-    at.turned = false;
 }
 
 // Searches the whole ray; walk.hit, .inside, .frame and .sigma tell the answer, to be refined.
@@ -139,16 +142,17 @@ Walk march(Ray ray, MapData map, Pair base, real scale, real shell_squared) {
     walk.hit = false;
     walk.inside = false;
     Cursor at;
+    FaceRay face;
     real s_end;
-    bool searching = startCursor(at, ray, map, shell_squared, s_end);
+    bool searching = startCursor(at, face, ray, map, shell_squared, s_end);
     int steps = 0;
     WalkPlan plan = planWalk(ray);
     while (searching) {
-        FaceRay face = faceRay(ray, at.axis, at.sign_of_face);
-        if (at.turned) findCell(at, face, map);
+        if (at.turned) turnFace(at, face, ray);
+        int face_row = faceRow(map, at.axis, at.sign_of_face);
         // Heavy code stays out of this loop: under masks every lane would pay for it at each step.
         while (!at.leaf && !at.turned && at.s < s_end && steps < MAX_STEPS) {
-            traverseStep(at, face, ray, map, s_end);
+            traverseStep(at, face, face_row, ray, map, s_end);
             steps += 1;
         }
         if (at.leaf) {
@@ -159,7 +163,6 @@ Walk march(Ray ray, MapData map, Pair base, real scale, real shell_squared) {
             }
             at.s = at.leaf_end;
             at.leaf = false;
-            at.skip = true;
         }
         searching = !walk.hit && at.s < s_end && steps < MAX_STEPS;
     }

@@ -2,9 +2,13 @@
 // filter.glsl and the constants kMarcher, kPrecision and kKinds (a bit per KIND_ of the scene: what no object needs is compiled away).
 
 // x and y count pixels from the object's anchor, to the pixel's centre; the jitter of a sample within the pixel needs no
-// more than a float's bits.
+// more than a float's bits, and the filter as a whole none.
 Pair cameraValue(real base, real base_lo, real step_x, real step_x_lo, real step_y, real step_y_lo, vec2 pixel,
                  vec2 jitter) {
+    if (kPrecision == PRECISION_FILTER) {
+        vec2 place = pixel + jitter;
+        return makePair(base + (place.x * (step_x + step_x_lo) + (place.y * (step_y + step_y_lo) + base_lo)), real(0));
+    }
     real rest = base_lo + (jitter.x * step_x + jitter.y * step_y);
     return pairLinear(makePair(base, rest), pixel.x, makePair(step_x, step_x_lo), pixel.y,
                       makePair(step_y, step_y_lo));
@@ -124,7 +128,7 @@ ObjectHit hitDisplacedFiltered(ObjectData object, MapData map, Ray ray) {
     hit.inside = answer.inside;
     hit.doubtful = answer.doubtful;
     hit.steps = answer.steps;
-    if (answer.hit) takeCrossing(hit, map, ray, filterRefine(ray, map, base, scale, answer), answer.cell);
+    if (answer.hit) takeCrossing(hit, map, ray, filterRefine(ray, map, base, answer), answer.stroll.cell);
     return hit;
 }
 

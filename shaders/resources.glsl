@@ -25,10 +25,15 @@ float heightAt(MapData map, int column, int row) {
 }
 
 // Levels above the finest lie side by side below it, each face in 1.5 side rows.
-float boundAt(MapData map, int face, int level, int i, int j) {
-    int side = map.bounds_side;
-    int x = i + (level > 0 ? side - 2 * (side >> level) : 0);
-    int y = map.bounds_y + face * (side + (side >> 1)) + j + (level > 0 ? side : 0);
+int faceRow(MapData map, int axis, float sign_of_face) {
+    int face = axis * 2 + (sign_of_face < 0.0 ? 1 : 0);
+    return map.bounds_y + face * (map.bounds_side + (map.bounds_side >> 1));
+}
+
+float boundAt(MapData map, int face_row, int side, int i, int j) {
+    bool finest = side == map.bounds_side;
+    int x = i + (finest ? 0 : map.bounds_side - 2 * side);
+    int y = face_row + j + (finest ? 0 : map.bounds_side);
     return imageLoad(bounds, ivec3(x, y, map.bounds_layer)).x;
 }
 

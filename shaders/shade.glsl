@@ -22,6 +22,35 @@ bool isNearer(SurfacePoint best, float t, vec3 towards, vec3 from_first) {
     return far && !best.inside ? dot(towards, from_first - best.from_first) < 0.0 : t < best.t;
 }
 
+// Keeps object k's hit if it is the nearest so far.
+void considerObject(inout SurfacePoint best, int k, vec2 raster, vec2 jitter) {
+    ObjectData object = objects[k];
+    MapData map = maps[k];
+    vec2 pixel = raster - vec2(object.anchor_x, object.anchor_y);
+    ObjectHit hit = hitObject(object, map, cameraRay(object, pixel, jitter));
+    best.steps += hit.steps;
+    best.exhausted = best.exhausted || hit.exhausted;
+    best.doubtful = best.doubtful || hit.doubtful;
+    vec3 towards = fromRayStart(object, hit.p, pixel + jitter);
+    float t = hit.inside ? 0.0 : length(towards);
+    vec3 from_first = kObjectCount > 1 ? fromCentre(object, hit.p) + object.from_first.xyz : vec3(0.0);
+    if (hit.hit && (kObjectCount == 1 || isNearer(best, t, towards, from_first))) {
+        best.hit = true;
+        best.inside = hit.inside;
+        best.object = k;
+        best.t = t;
+        best.from_first = from_first;
+        best.position = worldFromObjectPoint(object, hit.p);
+        best.normal = worldNormal(object, hit.n);
+        best.object_position = hit.p;
+        best.start = hit.p + object.offset * hit.n;
+        best.albedo = object.albedo.rgb;
+        best.h = object.ramp_offset + object.ramp_scale * hit.stored;
+        best.ramp = object.ramp;
+        best.residual = abs(hit.residual);
+    }
+}
+
 SurfacePoint nearestHit(vec2 raster, vec2 jitter) {
     SurfacePoint best;
     best.hit = false;
@@ -31,33 +60,7 @@ SurfacePoint nearestHit(vec2 raster, vec2 jitter) {
     best.object = -1;
     best.steps = 0;
     best.t = kInfinity;
-    for (int k = 0; k < kObjectCount; ++k) {
-        ObjectData object = objects[k];
-        MapData map = maps[k];
-        vec2 pixel = raster - vec2(object.anchor_x, object.anchor_y);
-        ObjectHit hit = hitObject(object, map, cameraRay(object, pixel, jitter));
-        best.steps += hit.steps;
-        best.exhausted = best.exhausted || hit.exhausted;
-        best.doubtful = best.doubtful || hit.doubtful;
-        vec3 towards = fromRayStart(object, hit.p, pixel + jitter);
-        float t = hit.inside ? 0.0 : length(towards);
-        vec3 from_first = fromCentre(object, hit.p) + object.from_first.xyz;
-        if (hit.hit && isNearer(best, t, towards, from_first)) {
-            best.hit = true;
-            best.inside = hit.inside;
-            best.object = k;
-            best.t = t;
-            best.from_first = from_first;
-            best.position = worldFromObjectPoint(object, hit.p);
-            best.normal = worldNormal(object, hit.n);
-            best.object_position = hit.p;
-            best.start = hit.p + object.offset * hit.n;
-            best.albedo = object.albedo.rgb;
-            best.h = object.ramp_offset + object.ramp_scale * hit.stored;
-            best.ramp = object.ramp;
-            best.residual = abs(hit.residual);
-        }
-    }
+    for (int k = 0; k < kObjectCount; ++k) considerObject(best, k, raster, jitter);
     return best;
 }
 
@@ -69,21 +72,23 @@ vec3 albedoOf(SurfacePoint point) {
     return mix(ramp_points[first].rgb, ramp_points[first + 1].rgb, place - float(k));
 }
 
+// Whether object k is between P' and the light, `towards` which ends there or goes on for ever.
+bool shades(int k, SurfacePoint point, LightData light, bool ends, inout bool doubtful) {
+    ObjectData object = objects[k];
+    vec3 start = point.start;
+    if (kObjectCount > 1 && k != point.object)
+        start = objectFromWorldPoint(object, worldFromObjectPoint(objects[point.object], point.start));
+    vec3 offset = ends ? objectFromWorldPoint(object, light.position.xyz) - start
+                       : objectFromWorldVector(object, light.position.xyz);
+    return blocks(object, maps[k], secondaryRay(start, offset, ends), doubtful);
+}
+
 // Whether the light is seen from P'. `doubtful` is set where another precision must decide.
 bool isLit(SurfacePoint point, LightData light, inout bool doubtful) {
     bool ends = light.position.w > 0.5;
     vec3 towards = ends ? light.position.xyz - point.position : light.position.xyz;
     bool lit = dot(towards, point.normal) > 0.0;
-    for (int k = 0; k < kObjectCount && lit; ++k) {
-        ObjectData object = objects[k];
-        MapData map = maps[k];
-        bool own = k == point.object;
-        vec3 start = point.start;
-        if (!own) start = objectFromWorldPoint(object, worldFromObjectPoint(objects[point.object], point.start));
-        vec3 offset = ends ? objectFromWorldPoint(object, light.position.xyz) - start
-                           : objectFromWorldVector(object, light.position.xyz);
-        lit = !blocks(object, map, secondaryRay(start, offset, ends), doubtful);
-    }
+    for (int k = 0; k < kObjectCount && lit; ++k) lit = !shades(k, point, light, ends, doubtful);
     return lit;
 }
 
@@ -93,16 +98,18 @@ uint visibleLights(SurfacePoint point, inout bool doubtful) {
     return mask;
 }
 
+// Radiance that a Lambertian surface of albedo pi sends off because of a light.
+vec3 lightFrom(LightData light, SurfacePoint point) {
+    vec3 towards = light.position.xyz - light.position.w * point.position;
+    float square = dot(towards, towards);
+    float cosine = max(dot(towards, point.normal) * inversesqrt(square), 0.0);
+    return light.radiance.rgb * (light.position.w > 0.5 ? cosine / square : cosine);
+}
+
 // Lambert: albedo / pi times the irradiance of the visible lights.
 vec3 directLight(SurfacePoint point, vec3 albedo, uint lit) {
     vec3 sum = vec3(0.0);
-    for (int k = 0; k < kLightCount; ++k) {
-        if ((lit & (1u << k)) == 0u) continue;
-        LightData light = lights[k];
-        vec3 towards = light.position.xyz - light.position.w * point.position;
-        float square = dot(towards, towards);
-        float cosine = max(dot(towards, point.normal) * inversesqrt(square), 0.0);
-        sum += light.radiance.rgb * (light.position.w > 0.5 ? cosine / square : cosine);
-    }
+    for (int k = 0; k < kLightCount; ++k)
+        if ((lit & (1u << k)) != 0u) sum += lightFrom(lights[k], point);
     return albedo * sum / kPi;
 }

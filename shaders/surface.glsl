@@ -6,6 +6,15 @@ struct Patch {
     real a, b, c, d;
 };
 
+Patch flatPatch() {
+    Patch quad;
+    quad.a = real(0);
+    quad.b = real(0);
+    quad.c = real(0);
+    quad.d = real(0);
+    return quad;
+}
+
 // Where a point stands in a patch. g = |p| - r, positive outside.
 struct PatchPoint {
     real fu, fv, g;

@@ -86,33 +86,41 @@ real parallelCrossing(Frame frame, Ray ray, MapData map, bool south, Local here,
     return correction < kInfinity ? max(sigma, crossing + clamp(correction, real(-0.01), real(0.01))) : kInfinity;
 }
 
-// One chord of a cell as a parabola through its ends and middle.
+// One chord of a cell as the parabola g + y (slope + y bend) through its ends and middle, y in [0, 1].
 struct Chord {
-    bool hit, unsure;
-    real fraction;      // of the chord, where it hits
-    real fall;          // the parabola's derivative there, by the fraction; never positive
-    real lowest, miss;  // least g after the start, and how far the parabola can be from g
+    real g, slope, bend;
+    real lowest;  // of the parabola after the start
+    real miss;    // how far g along the chord can be from it
 };
 
-// First root on a chord where f(0) = g0 >= 0. The parabola misses the surface by the product of the patch's twist and
-// the bends of fu and fv along the chord; where that could change the verdict the chord is unsure and must be halved.
+// `cubic` and `quartic`: g's own terms beyond the parabola, which interpolates them with an error of at most 0.05 and 0.1.
+Chord makeChord(real g, real slope, real bend, real cubic, real quartic) {
+    Chord chord;
+    chord.g = g;
+    chord.slope = slope;
+    chord.bend = bend;
+    real end = g + slope + bend;
+    real turn = real(-0.5) * slope;  // times 1 / bend
+    bool dips = slope < real(0) && turn < bend;
+    chord.lowest = dips ? g + real(0.5) * slope * turn / bend : end;
+    chord.miss = real(0.05) * abs(cubic) + real(0.1) * abs(quartic);
+    return chord;
+}
+
+// The patch's twist makes the terms beyond the parabola, by the bends of fu and fv along the chord.
 Chord solveChord(PatchPoint start, PatchPoint middle, PatchPoint end, real twist) {
     real bend = real(2) * (start.g + end.g - real(2) * middle.g);
-    real slope = end.g - start.g - bend;
     real bend_u = real(2) * (start.fu + end.fu - real(2) * middle.fu);
     real bend_v = real(2) * (start.fv + end.fv - real(2) * middle.fv);
     real slope_u = end.fu - start.fu - bend_u;
     real slope_v = end.fv - start.fv - bend_v;
-    Chord chord;
-    chord.miss = abs(twist) * (real(0.05) * abs(slope_u * bend_v + slope_v * bend_u) + real(0.1) * abs(bend_u * bend_v));
+    return makeChord(start.g, end.g - start.g - bend, bend, twist * (slope_u * bend_v + slope_v * bend_u),
+                     twist * bend_u * bend_v);
+}
 
-    real lowest_at = slope < real(0) && bend > real(0) ? min(real(-0.5) * slope / bend, real(1)) : real(1);
-    chord.lowest = min(start.g + lowest_at * (slope + lowest_at * bend), end.g);
-    chord.hit = chord.lowest <= real(0);
-    chord.unsure = chord.miss > kTrust && chord.lowest <= chord.miss;
-    chord.fall = -sqrt(max(slope * slope - real(4) * bend * start.g, real(0)));
-    chord.fraction = clamp(firstRoot(start.g, slope, bend), real(0), real(1));
-    return chord;
+// First root where g >= 0, as a share of the chord.
+real chordRoot(Chord chord) {
+    return clamp(firstRoot(chord.g, chord.slope, chord.bend), real(0), real(1));
 }
 
 struct Walk {
@@ -170,15 +178,16 @@ void walkStep(INOUT(Walk) walk, WalkPlan plan, Ray ray, MapData map, real scale)
     start.g = max(start.g, real(0));
     Chord chord = solveChord(start, middle, end, quad.d);
     real length_of_chord = far - walk.sigma;
-    bool halve = chord.unsure && !starts_inside && length_of_chord > real(4) * kShortestChord;
-    walk.hit = starts_inside || (chord.hit && !halve);
+    bool unsure = chord.miss > kTrust && chord.lowest <= chord.miss;
+    bool halve = unsure && !starts_inside && length_of_chord > real(4) * kShortestChord;
+    walk.hit = starts_inside || (chord.lowest <= real(0) && !halve);
     walk.inside = starts_inside && walk.at_start;
     walk.low = walk.sigma;
     walk.high = far;
     walk.longest = halve ? real(0.5) * length_of_chord : real(2) * max(walk.longest, kShortestChord);
     walk.going = !walk.hit && (halve || far < walk.end);
     if (walk.hit) {
-        walk.sigma += starts_inside ? real(0) : chord.fraction * length_of_chord;
+        walk.sigma += starts_inside ? real(0) : chordRoot(chord) * length_of_chord;
     } else if (!halve) {
         walk.sigma = far;
         walk.first = false;

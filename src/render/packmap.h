@@ -12,7 +12,7 @@ namespace dsphere {
 /// 0.
 struct PackedMap {
     layout::MapData data;
-    /// Sine and cosine of the west edge of each column: 12 leading bits of both, then the rest of both.
+    /// Sine and cosine of the west edge of each column as floats, then what that rounding left of both.
     std::vector<layout::vec4> longitude_edges;
     std::vector<layout::vec4> colatitude_edges;  ///< the same of the north edge of each row
 };

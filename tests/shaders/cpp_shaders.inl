@@ -20,8 +20,11 @@ using vec4 = glm::tvec4<real>;
 inline real heightAt(const MapData&, int column, int row) {
     return real(current_resources->nodes->row(row)[column]);
 }
-inline real boundAt(const MapData&, int face, int level, int i, int j) {
-    return real(current_resources->bounds->at(face, level, i, j));
+inline int faceRow(const MapData&, int axis, real sign_of_face) {
+    return axis * 2 + (sign_of_face < real(0) ? 1 : 0);
+}
+inline real boundAt(const MapData& map, int face, int side, int i, int j) {
+    return real(current_resources->bounds->at(face, std::countr_zero(unsigned(map.bounds_side / side)), i, j));
 }
 inline vec4 edgesAt(int x, int y) {
     return vec4((y == 0 ? current_resources->longitude_edges : current_resources->colatitude_edges)[std::size_t(x)]);
