@@ -94,7 +94,17 @@ struct HeightRamp {
     bool operator==(const HeightRamp&) const = default;
 };
 
-using Texture = std::variant<ConstantColour, HeightRamp>;
+/// An image, read bilinearly and repeated. On a displaced sphere it lies as the heights do, row 0 in the north; on
+/// other shapes by pbrt's own (u, v), row 0 at v = 1.
+struct ImageMap {
+    std::string path;    ///< resolved against the scene file's folder
+    double scale = 1.0;  ///< 0 or greater; the product is cut to [0, 1]
+    SourceLocation where;
+
+    bool operator==(const ImageMap& other) const { return path == other.path && scale == other.scale; }
+};
+
+using Texture = std::variant<ConstantColour, HeightRamp, ImageMap>;
 
 /// A Lambertian surface.
 struct Matte {

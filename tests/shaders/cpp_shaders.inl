@@ -24,7 +24,13 @@ inline real boundAt(const MapData&, int face, int level, int i, int j) {
     return real(current_resources->bounds->at(face, level, i, j));
 }
 inline vec4 edgesAt(int x, int y) {
-    return vec4((y == 0 ? current_resources->longitude_edges : current_resources->colatitude_edges)[std::size_t(x)]);
+    const Resources& resources = *current_resources;
+    const std::vector<glm::vec4>* rows[] = {&resources.longitude_edges, &resources.colatitude_edges,
+                                            &resources.column_centres, &resources.row_centres};
+    return vec4((*rows[y])[std::size_t(x)]);
+}
+inline vec3 imageTexel(const ObjectData&, int column, int row) {
+    return vec3(current_resources->image->texel(column, row));
 }
 
 inline real leadingBits(real x) {
@@ -45,6 +51,7 @@ constexpr int kKinds = 1 << KIND_DISPLACED | 1 << KIND_SPHERE | 1 << KIND_DISK;
 #include "shaders/hit.glsl"
 #include "shaders/naive.glsl"
 #include "shaders/objects.glsl"
+#include "shaders/colour.glsl"
 #include "shaders/sample.glsl"
 
 }  // namespace
