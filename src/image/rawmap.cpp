@@ -19,10 +19,24 @@ Magic readMagic(InputFile& file) {
     return magic;
 }
 
-bool hasGtxExtension(const std::filesystem::path& path) {
+/// In lower case, with its dot.
+std::string extensionOf(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return extension == ".gtx";
+    return extension;
+}
+
+bool hasGtxExtension(const std::filesystem::path& path) {
+    return extensionOf(path) == ".gtx";
+}
+
+/// A scene is text: it has no control characters but white space.
+bool isBinary(InputFile& file) {
+    std::array<char, 512> start;
+    const auto count = std::size_t(std::min<std::uint64_t>(start.size(), file.size()));
+    file.rewind();
+    file.read(start.data(), count);
+    return std::any_of(start.begin(), start.begin() + std::ptrdiff_t(count), [](char c) { return c >= 0 && c < 9; });
 }
 
 }  // namespace
@@ -94,6 +108,18 @@ RawMap readRawMap(const std::filesystem::path& path) {
         "unknown format: it begins with the bytes {}, expected a PNG, PGM, PPM (P2 P3 P5 P6), TIFF, EXR or PFM, or a "
         "GTX grid named .gtx",
         firstBytes(file));
+}
+
+bool looksLikeMap(const std::filesystem::path& path) try {
+    constexpr std::array kExtensions{".png", ".pgm", ".ppm", ".pnm", ".pfm", ".tif", ".tiff", ".exr", ".gtx"};
+    if (std::ranges::find(kExtensions, extensionOf(path)) != kExtensions.end()) return true;
+    if (!std::filesystem::is_regular_file(path)) return false;
+    InputFile file(path);
+    const MapFormat format = formatOf(file);
+    if (format == MapFormat::Empty) return false;
+    return format != MapFormat::Unknown || (extensionOf(path) != ".pbrt" && isBinary(file));
+} catch (const std::exception&) {
+    return false;
 }
 
 }  // namespace dsphere

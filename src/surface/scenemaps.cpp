@@ -25,6 +25,7 @@ auto loadAt(const SourceLocation& where, Load load) {
     try {
         return std::make_unique<decltype(load())>(load());
     } catch (const Error& error) {
+        if (where.line == 0) throw;  // it names the file itself
         throw Error(error.code(), where.text() + ": " + error.what());
     }
 }
