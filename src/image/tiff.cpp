@@ -182,7 +182,8 @@ void readBlocks(TiffSource& source, TIFF* tiff, const Layout& layout, const Use&
     std::vector<std::uint8_t> blocks(bytes * std::size_t(layout.planes()));
     // From colour to colour of a texel.
     const std::size_t apart = layout.grey ? 0 : layout.separate ? bytes : std::size_t(layout.kind->bits / 8);
-    for (std::int64_t by = 0; by < layout.down; ++by)
+    for (std::int64_t by = 0; by < layout.down; ++by) {
+        source.forget();
         for (std::int64_t bx = 0; bx < layout.across; ++bx) {
             for (int plane = 0; plane < layout.planes(); ++plane)
                 readBlock(source, tiff, layout, layout.index(plane, bx, by), &blocks[std::size_t(plane) * bytes],
@@ -194,6 +195,7 @@ void readBlocks(TiffSource& source, TIFF* tiff, const Layout& layout, const Use&
                 use(left, top + j, {{row, row + apart, row + 2 * apart}, layout.texelBytes()}, std::size_t(columns));
             }
         }
+    }
 }
 
 /// Strips row by row: one that holds a whole map is never decoded as a whole.

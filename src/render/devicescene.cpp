@@ -105,7 +105,7 @@ struct DeviceScene::Layout {
         if (!packed.images.empty()) images.add(256, 1);  // the codes' light
         for (const ImageWords& image : packed.images) {
             if (image.width() > images.limit || image.height() > images.limit)
-                throwInvalid("an image of {}x{} words does not fit {}: its images end at {}x{}", image.width(),
+                throwInvalid("{}: takes an image of {}x{}, but those of {} end at {}x{}", image.path(), image.width(),
                              image.height(), device.info().name, images.limit, images.limit);
             image_places.push_back(images.add(image.width(), image.height()));
         }
@@ -120,7 +120,8 @@ struct DeviceScene::Layout {
         heights.limit = bounds.limit = edges.limit = images.limit = limit;
         for (const auto& nodes : packed.nodes) {
             if (nodes->width() > limit || nodes->rows() + 1 > limit)
-                throwInvalid("a map of {}x{} nodes does not fit {}: its images end at {}x{}", nodes->width(),
+                throwInvalid("{}: a map of {}x{} texels takes an image of {}x{}, but those of {} end at {}x{}",
+                             nodes->map().path, nodes->map().width, nodes->map().height, nodes->width(),
                              nodes->rows() + 1, device.info().name, limit, limit);
             node_places.push_back(heights.add(nodes->width(), nodes->rows() + 1));
         }

@@ -24,6 +24,7 @@ class ImageWords {
   public:
     explicit ImageWords(const ColourMap& image) : image_(&image) {}
 
+    const std::string& path() const { return image_->path(); }
     int width() const { return image_->width(); }
     int height() const { return codes() ? image_->height() : 3 * image_->height(); }
     /// Appends row j.

@@ -83,6 +83,13 @@ TEST_F(HeightmapTest, UnknownTexelsAreFilledAndCounted) {
     EXPECT_EQ(json::parse(outcome.out)["maps"][0]["nodata_texels"], 2);
 }
 
+// Mesa's images end at 16384.
+TEST_F(HeightmapTest, WiderThanTheDevicesImages) {
+    folder_.write("wide.pgm", "P5\n16385 256\n255\n" + std::string(16385 * 256, '\x40'));
+    expectFailure(run({"render", "wide.pgm", "--quick", "--device", "cpu"}), 3,
+                  "error: wide.pgm: a map of 16385x256 texels takes an image of 16385x258, but those of llvmpipe");
+}
+
 TEST_F(HeightmapTest, Errors) {
     expectFailure(run({"render", "missing.png"}), 3, "error: missing.png: cannot be read: No such file");
     folder_.write("cut.pgm", "P5\n64 32\n65535\nxx");
