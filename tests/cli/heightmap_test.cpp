@@ -83,6 +83,14 @@ TEST_F(HeightmapTest, UnknownTexelsAreFilledAndCounted) {
     EXPECT_EQ(json::parse(outcome.out)["maps"][0]["nodata_texels"], 2);
 }
 
+TEST_F(HeightmapTest, AScenesNodataIsCounted) {
+    folder_.write("map.pgm", pnmFile(4, 2, 65535, {1, 9, 2, 9, 3, 4, 5, 6}));
+    folder_.write("gaps.pbrt", planet("\"float nodata\" 9"));
+    EXPECT_EQ(json::parse(run({"info", "gaps.pbrt", "--json"}).out)["maps"][0]["nodata_texels"], 2);
+    EXPECT_TRUE(holds(run({"render", "gaps.pbrt", "--quick"}).err, "nodata   2 of 8 texels of map.pgm"));
+    EXPECT_EQ(run({"render", "gaps.pbrt", "--quick", "--quiet"}).err, "");
+}
+
 // Mesa's images end at 16384.
 TEST_F(HeightmapTest, WiderThanTheDevicesImages) {
     folder_.write("wide.pgm", "P5\n16385 256\n255\n" + std::string(16385 * 256, '\x40'));

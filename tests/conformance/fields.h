@@ -16,15 +16,13 @@
 
 #define LIGHT_FIELDS(V) V(position) V(radiance)
 
-#define MAP_FIELDS(F, I)                                                                                   \
-    I(width)                                                                                               \
-    I(rows)                                                                                                \
-    I(heights_y)                                                                                           \
-    I(layer)                                                                                               \
-    I(bounds_y)                                                                                            \
-    I(bounds_layer) I(bounds_side) I(bounds_levels) I(edges_y) I(caps) F(columns_per_turn) F(first_column) \
-        F(cells_per_radian_u) F(cells_per_radian_v) F(cap_shift) F(tan_width) F(tan_height) F(sin_width)   \
-            F(versin_width) F(sin_height) F(versin_height) F(sin_cap) F(versin_cap) F(pad0)
+#define MAP_FIELDS(F, I)                                                                                        \
+    I(width)                                                                                                    \
+    I(rows)                                                                                                     \
+    I(heights_y)                                                                                                \
+    I(layer) I(bounds_y) I(bounds_layer) I(bounds_side) I(bounds_levels) I(edges_y) I(caps) F(columns_per_turn) \
+        F(first_column) F(cells_per_radian_u) F(cells_per_radian_v) F(cap_shift) F(tan_width) F(tan_height)     \
+            F(sin_width) F(versin_width) F(sin_height) F(versin_height) F(sin_cap) F(versin_cap) F(pad0)
 
 #define PROBE_RAY_FIELDS(V, U) V(point) V(point_lo) V(direction) V(direction_lo) U(flags) U(pad0) U(pad1) U(pad2)
 
