@@ -1,6 +1,7 @@
 # What `cmake --install` puts beside the program, and the Debian package that `cpack -G DEB` makes of it.
 include(GNUInstallDirs)
 install(DIRECTORY assets/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/dsphere FILES_MATCHING PATTERN "*.pbrt")
+install(PROGRAMS scripts/fetch-earth DESTINATION ${CMAKE_INSTALL_DATADIR}/dsphere)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md")
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
@@ -15,8 +16,9 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# The loader is opened at run time, which shlibdeps cannot see; a driver may come from elsewhere, the geoid is a sample.
+# The loader is opened at run time, which shlibdeps cannot see; a driver may come from elsewhere; the geoid is a sample, as is
+# the Earth, which npm fetches.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS libvulkan1)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS mesa-vulkan-drivers)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS proj-data)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "proj-data, npm")
 include(CPack)

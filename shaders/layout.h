@@ -23,10 +23,12 @@ using uint = std::uint32_t;
 #define BINDING_RAMPS 3
 #define BINDING_HEIGHTS 4  // r32f array: stored map values, pole rows included
 #define BINDING_BOUNDS 5   // r32f array: squared radii, the cube-map pyramids
-#define BINDING_EDGES 6    // rgba32f: sine and cosine of each cell's west (north) edge, then what their rounding left
-#define BINDING_FILM 7     // r32ui array: one layer a plane (probe.comp: the rays)
-#define BINDING_HITS 8     // probe.comp: the answers
-#define BINDING_RETRY 8    // render.comp: the pixels that FILTER leaves to FULL
+#define BINDING_EDGES 6    // rgba32f: sine and cosine of each cell's west (north) edge, then what their rounding left;
+                           // the same of the centres of images' texels (disk: their distances)
+#define BINDING_IMAGES 7   // r32ui array: the colour images' texels
+#define BINDING_FILM 8     // r32ui array: one layer a plane (probe.comp: the rays)
+#define BINDING_HITS 9     // probe.comp: the answers
+#define BINDING_RETRY 9    // render.comp: the pixels that FILTER leaves to FULL
 
 #define SPEC_MARCHER 0
 #define SPEC_OBJECT_COUNT 1
@@ -34,7 +36,8 @@ using uint = std::uint32_t;
 #define SPEC_KINDS 3   // bit per KIND_ that the scene holds
 #define SPEC_PLANES 4  // bit per PLANE_ that the film holds
 #define SPEC_PRECISION 5
-#define SPEC_COUNT 6
+#define SPEC_IMAGES 6  // 1 if an object has a colour image
+#define SPEC_COUNT 7
 
 #define MARCHER_EXACT 0
 #define MARCHER_NAIVE 1        // the seed's: from the camera
@@ -49,6 +52,10 @@ using uint = std::uint32_t;
 #define KIND_DISPLACED 0
 #define KIND_SPHERE 1
 #define KIND_DISK 2
+
+#define IMAGE_NONE 0
+#define IMAGE_CODES 1   // a word a texel: 8-bit sRGB codes, R lowest. The image's first row holds their light, as float
+#define IMAGE_FLOATS 2  // planes of R, G and B, float, one below the other
 
 // Film planes in the order of their layers; a film holds only those of its mask. COLOUR is accumulated over samples,
 // all others belong to the ray through the pixel's centre. OBJECT_ planes are for verify: in units of R, float as
@@ -114,6 +121,12 @@ struct ObjectData {
     float inner_squared;                         // disk: the squared inner radius
     float offset;                                // e: start of secondary rays above the hit, units of R
     int kind, ramp;                              // KIND_; index of the ramp, -1: none
+    vec4 image_north, image_south;               // rgb: a displaced sphere's poles, unscaled
+    int image, image_width, image_height;        // IMAGE_
+    int image_y, image_layer;                    // where texel row 0 lies in the images
+    int image_centres_y;                         // row of `edges` for the texel columns' centres; the next: the rows'
+    float image_shift;                           // turns from a longitude of 0 back to the image's left edge
+    float image_scale;
 };
 
 struct LightData {
@@ -166,7 +179,7 @@ struct ProbeHit {
 #ifdef __cplusplus
 static_assert(sizeof(ProbeRay) == 80);
 static_assert(sizeof(ProbeHit) == 48);
-static_assert(sizeof(ObjectData) == 23 * 16 + 12 * 4);
+static_assert(sizeof(ObjectData) == 25 * 16 + 20 * 4);
 static_assert(sizeof(LightData) == 32);
 static_assert(sizeof(MapData) == 24 * 4);
 static_assert(sizeof(RenderParams) == 32);

@@ -47,8 +47,11 @@ void putGeometry(ivec2 pixel, SurfacePoint point) {
     put(pixel, PLANE_PX, point.hit ? point.position : nothing);
     put(pixel, PLANE_NX, point.hit ? point.normal : nothing);
     put(pixel, PLANE_NSX, point.hit ? point.normal : nothing);
-    put(pixel, PLANE_U, point.hit ? 0.5 + atan2Precise(p.x, p.z) / (2.0 * kPi) : 0.0);
-    put(pixel, PLANE_V, point.hit ? atan2Precise(length(p.xz), p.y) / kPi : 0.0);
+    if (wants(PLANE_U) || wants(PLANE_V)) {
+        vec2 uv = point.hit ? surfaceUv(objects[point.object], p) : vec2(0.0);
+        put(pixel, PLANE_U, uv.x);
+        put(pixel, PLANE_V, uv.y);
+    }
     put(pixel, PLANE_ID, uint(point.object + 1));
     put(pixel, PLANE_STEPS, point.hit ? uint(point.steps) : 0u);
     put(pixel, PLANE_RESIDUAL, point.hit ? point.residual : 0.0);

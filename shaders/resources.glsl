@@ -10,6 +10,7 @@ layout(constant_id = SPEC_LIGHT_COUNT) const int kLightCount = 0;
 layout(constant_id = SPEC_KINDS) const int kKinds = 1;
 layout(constant_id = SPEC_PLANES) const uint kPlanes = 0u;
 layout(constant_id = SPEC_PRECISION) const int kPrecision = PRECISION_FULL;
+layout(constant_id = SPEC_IMAGES) const int kImages = 0;
 
 layout(std140, binding = BINDING_OBJECTS) uniform Objects { ObjectData objects[MAX_OBJECTS]; };
 layout(std140, binding = BINDING_MAPS) uniform Maps { MapData maps[MAX_OBJECTS]; };
@@ -18,6 +19,7 @@ layout(std430, binding = BINDING_RAMPS) readonly buffer Ramps { vec4 ramp_points
 layout(binding = BINDING_HEIGHTS, r32f) readonly uniform image2DArray heights;
 layout(binding = BINDING_BOUNDS, r32f) readonly uniform image2DArray bounds;
 layout(binding = BINDING_EDGES, rgba32f) readonly uniform image2DArray edges;
+layout(binding = BINDING_IMAGES, r32ui) readonly uniform uimage2DArray images;
 
 // Storage images, not textures: filtering may snap weights to 8 bits, and on lavapipe a load costs half a texelFetch.
 float heightAt(MapData map, int column, int row) {
@@ -41,6 +43,26 @@ vec4 edgesAt(int x, int y) {
     return imageLoad(edges, ivec3(x, y, 0));
 }
 
+uint imageWord(int x, int y, int layer) {
+    return imageLoad(images, ivec3(x, y, layer)).x;
+}
+
+float imageFloat(int x, int y, int layer) {
+    return uintBitsToFloat(imageWord(x, y, layer));
+}
+
+// The light of a texel: the only place that knows how images lie on the device.
+vec3 imageTexel(ObjectData o, int column, int row) {
+    int y = o.image_y + row;
+    if (o.image == IMAGE_CODES) {
+        uint codes = imageWord(column, y, o.image_layer);
+        return vec3(imageFloat(int(codes & 255u), 0, 0), imageFloat(int(codes >> 8 & 255u), 0, 0),
+                    imageFloat(int(codes >> 16), 0, 0));
+    }
+    return vec3(imageFloat(column, y, o.image_layer), imageFloat(column, y + o.image_height, o.image_layer),
+                imageFloat(column, y + 2 * o.image_height, o.image_layer));
+}
+
 // The leading 12 bits of x; a product of two such values is exact.
 float leadingBits(float x) {
     return uintBitsToFloat(floatBitsToUint(x) & 0xfffff000u);
@@ -56,3 +78,4 @@ float leadingBits(float x) {
 #include "hit.glsl"
 #include "naive.glsl"
 #include "objects.glsl"
+#include "colour.glsl"

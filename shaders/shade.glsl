@@ -65,6 +65,8 @@ SurfacePoint nearestHit(vec2 raster, vec2 jitter) {
 }
 
 vec3 albedoOf(SurfacePoint point) {
+    if (kImages != 0 && objects[point.object].image != IMAGE_NONE)
+        return imageColour(objects[point.object], point.object_position);
     if (point.ramp < 0) return point.albedo;
     float place = clamp(point.h, 0.0, 1.0) * float(RAMP_POINTS - 1);
     int k = min(int(place), RAMP_POINTS - 2);

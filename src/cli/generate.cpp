@@ -4,6 +4,10 @@
 #include "cli/commands.h"
 #include "image/greymap.h"
 
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
 namespace dsphere::cli {
 
 namespace {
@@ -13,9 +17,17 @@ struct GenerateOptions {
     std::string outfile;
     std::vector<int> size = {2048, 1024};
     std::uint32_t seed = 1;
-    bool quiet = false;
+    bool quiet = false, json = false;
     ProgressMode progress = ProgressMode::Auto;
 };
+
+const std::map<std::string, MapKind> kKinds = {
+    {"moon", MapKind::Moon},     {"fractal", MapKind::Fractal},           {"terraces", MapKind::Terraces},
+    {"spikes", MapKind::Spikes}, {"checkerboard", MapKind::Checkerboard}, {"random", MapKind::Random}};
+
+std::string nameOf(MapKind kind) {
+    return std::ranges::find_if(kKinds, [kind](const auto& named) { return named.second == kind; })->first;
+}
 
 int runGenerate(const GenerateOptions& options) {
     int width = options.size[0], height = options.size[1];
@@ -25,10 +37,17 @@ int runGenerate(const GenerateOptions& options) {
     checkGreyMapName(options.outfile);
     checkWritable(options.outfile);
     const MapGenerator generator(options.kind, width, height, options.seed);
-    ProgressLine line(options.progress, options.quiet, "generate");
-    writeGreyMap(
-        options.outfile, width, height, [&](int j, std::span<std::uint16_t> row) { generator.fillRow(j, row); },
-        [&](double share) { return line.update(share); });
+    {
+        ProgressLine line(options.progress, options.quiet, "generate");
+        writeGreyMap(
+            options.outfile, width, height, [&](int j, std::span<std::uint16_t> row) { generator.fillRow(j, row); },
+            [&](double share) { return line.update(share); });
+    }
+    if (!options.json) return int(ExitCode::Ok);
+    nlohmann::ordered_json json = {{"map", options.outfile}, {"kind", nameOf(options.kind)},
+                                   {"width", width},         {"height", height},
+                                   {"seed", options.seed},   {"bytes", std::filesystem::file_size(options.outfile)}};
+    fmt::print("{}\n", json.dump(2));
     return int(ExitCode::Ok);
 }
 
@@ -37,14 +56,8 @@ int runGenerate(const GenerateOptions& options) {
 void addGenerate(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("generate", "Make a 16-bit heightmap from a formula and a seed");
     auto options = std::make_shared<GenerateOptions>();
-    addChoice<MapKind>(*command, "kind", options->kind,
-                       {{"moon", MapKind::Moon},
-                        {"fractal", MapKind::Fractal},
-                        {"terraces", MapKind::Terraces},
-                        {"spikes", MapKind::Spikes},
-                        {"checkerboard", MapKind::Checkerboard},
-                        {"random", MapKind::Random}},
-                       "What to make", "moon|fractal|terraces|spikes|checkerboard|random")
+    addChoice<MapKind>(*command, "kind", options->kind, kKinds, "What to make",
+                       "moon|fractal|terraces|spikes|checkerboard|random")
         ->required();
     command->add_option("-o,--outfile", options->outfile, "Map to write: .png, .pgm, .tif or .tiff")
         ->type_name("FILE")
@@ -55,6 +68,7 @@ void addGenerate(CLI::App& app, Action& action) {
         ->delimiter(',')
         ->type_name("W,H");
     command->add_option("--seed", options->seed, "Another seed makes another map; default: 1")->type_name("N");
+    command->add_flag("--json", options->json, "Print what was made as JSON");
     command->add_flag("--quiet", options->quiet, "Print errors only");
     addProgressOption(*command, options->progress);
     command->callback([options, &action] { action = [options] { return runGenerate(*options); }; });

@@ -1,5 +1,6 @@
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/sceneoptions.h"
 #include "image/rawmap.h"
 #include "scene/parser.h"
 #include "surface/bounds.h"
@@ -7,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <bit>
 #include <cmath>
 
 namespace dsphere::cli {
@@ -23,12 +25,14 @@ const char* nameOf(Registration registration) {
     return registration == Registration::Texel ? "texel" : "gridline";
 }
 
-// What the marcher reads of a map: a float a node, the bounds of one relief, and two rows of edge directions.
-std::uint64_t deviceBytes(const NodeGrid& nodes) {
+// What the marcher reads of a map: a float a node, the bounds of one relief (six faces of a cube and their pyramids),
+// and two rows of edge directions.
+void addDevice(Json& json, const NodeGrid& nodes) {
     std::uint64_t side = std::uint64_t(boundsSide(nodes.width()));
     std::uint64_t node_count = std::uint64_t(nodes.width()) * std::uint64_t(nodes.rows() + 1);
     std::uint64_t edges = 2 * std::uint64_t(std::max(nodes.width(), nodes.rows()));
-    return 4 * node_count + 4 * 9 * side * side + 16 * edges;
+    json["bounds"] = {{"side", side}, {"levels", std::bit_width(side)}, {"bytes", 4 * 9 * side * side}};
+    json["device_bytes"] = 4 * node_count + 4 * 9 * side * side + 16 * edges;
 }
 
 // A texel by its place in the file and on the planet, degrees.
@@ -78,21 +82,33 @@ Json describeMapFile(const std::string& path) {
     DisplacedSphere shape;
     shape.map_path = path;
     const Heightmap heightmap = makeHeightmap(std::move(map), shape);
-    json["device_bytes"] = deviceBytes(NodeGrid(heightmap));
+    addDevice(json, NodeGrid(heightmap));
     return json;
 }
 
 Json describeMap(const Heightmap& map) {
-    return {{"path", map.path.empty() ? Json(nullptr) : Json(map.path)},
-            {"type", map.type},
-            {"width", map.width},
-            {"height", map.height},
-            {"least", map.least},
-            {"greatest", map.greatest},
-            {"nodata_texels", map.nodata_count},
-            {"registration", nameOf(map.registration)},
-            {"longitude_origin", map.longitude_origin},
-            {"device_bytes", deviceBytes(NodeGrid(map))}};
+    Json json = {{"path", map.path.empty() ? Json(nullptr) : Json(map.path)},
+                 {"type", map.type},
+                 {"width", map.width},
+                 {"height", map.height},
+                 {"least", map.least},
+                 {"greatest", map.greatest},
+                 {"nodata_texels", map.nodata_count},
+                 {"registration", nameOf(map.registration)},
+                 {"longitude_origin", map.longitude_origin}};
+    addDevice(json, NodeGrid(map));
+    return json;
+}
+
+// A word a texel for 8-bit codes, three for floats; the table of the codes' light comes once for all.
+Json describeImage(const ColourMap& image) {
+    std::uint64_t words =
+        std::uint64_t(image.width()) * std::uint64_t(image.height()) * (image.raw().srgb.empty() ? 3 : 1);
+    return {{"path", image.path()},
+            {"type", image.raw().type},
+            {"width", image.width()},
+            {"height", image.height()},
+            {"device_bytes", 4 * words}};
 }
 
 Json describeCamera(const Camera& camera) {
@@ -149,9 +165,11 @@ Json describeSceneFile(const std::string& path) {
                  {"camera", describeCamera(scene.camera)},
                  {"shapes", Json::array()},
                  {"maps", Json::array()},
+                 {"images", Json::array()},
                  {"lights", Json::array()}};
     for (std::size_t k = 0; k < scene.shapes.size(); ++k) json["shapes"].push_back(describeShape(scene, maps, k));
     for (const auto& map : maps.maps) json["maps"].push_back(describeMap(*map));
+    for (const auto& image : maps.images) json["images"].push_back(describeImage(*image));
     for (const Light& light : scene.lights) json["lights"].push_back(describeLight(light));
     return json;
 }
@@ -182,8 +200,7 @@ void printText(const Json& json, int indent) {
 }
 
 int runInfo(const std::string& path, bool as_json) {
-    bool scene = path == "-" || std::filesystem::path(path).extension() == ".pbrt";
-    Json json = scene ? describeSceneFile(path) : describeMapFile(path);
+    Json json = isHeightmap(path) ? describeMapFile(path) : describeSceneFile(path);
     if (as_json)
         fmt::print("{}\n", json.dump(2));
     else
@@ -197,9 +214,7 @@ void addInfo(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("info", "Say what a scene or a map holds; needs no device");
     auto path = std::make_shared<std::string>();
     auto json = std::make_shared<bool>(false);
-    command->add_option("file", *path, "Scene (.pbrt, or - for standard input) or map (any other name)")
-        ->type_name("FILE")
-        ->required();
+    command->add_option("file", *path, "Scene, or - for standard input, or map")->type_name("FILE")->required();
     command->add_flag("--json", *json, "Print as JSON");
     command->callback([path, json, &action] { action = [path, json] { return runInfo(*path, *json); }; });
 }

@@ -73,30 +73,53 @@ std::uint32_t checkOutput(const RenderOptions& options, const std::filesystem::p
     return aovs;
 }
 
-void report(const RenderOptions& options, const std::filesystem::path& path, const gpu::Device& device,
-            const RenderStats& stats, double seconds, std::uint64_t map_bytes) {
-    double rays_per_second = stats.device_seconds > 0.0 ? double(stats.camera_rays) / stats.device_seconds : 0.0;
-    if (options.common.json) {
-        nlohmann::ordered_json json = {{"picture", path.string()},
-                                       {"device", device.info().name},
-                                       {"driver", device.info().driver},
-                                       {"seconds", seconds},
-                                       {"device_seconds", stats.device_seconds},
-                                       {"camera_rays", stats.camera_rays},
-                                       {"camera_rays_per_second", rays_per_second},
-                                       {"retried_pixels", stats.retried_pixels},
-                                       {"map_bytes", map_bytes}};
-        fmt::print("{}\n", json.dump(2));
+struct Result {
+    std::filesystem::path picture;
+    const gpu::DeviceInfo& device;
+    const Renderer& renderer;
+    const SceneMaps& maps;
+    double seconds;
+
+    double raysPerSecond() const {
+        const RenderStats& stats = renderer.stats();
+        return stats.device_seconds > 0.0 ? double(stats.camera_rays) / stats.device_seconds : 0.0;
     }
-    if (options.common.quiet) return;
-    fmt::print(stderr, "picture  {}\ndevice   {} ({})\n", std::filesystem::absolute(path).string(), device.info().name,
-               device.info().driver);
-    fmt::print(stderr, "time     {:.2f} s in all, {:.3f} s on the device\n", seconds, stats.device_seconds);
+};
+
+void printJson(const Result& result) {
+    const RenderStats& stats = result.renderer.stats();
+    nlohmann::ordered_json json = {{"picture", result.picture.string()},
+                                   {"device", result.device.name},
+                                   {"driver", result.device.driver},
+                                   {"seconds", result.seconds},
+                                   {"device_seconds", stats.device_seconds},
+                                   {"camera_rays", stats.camera_rays},
+                                   {"camera_rays_per_second", result.raysPerSecond()},
+                                   {"retried_pixels", stats.retried_pixels},
+                                   {"map_bytes", result.renderer.mapBytes()},
+                                   {"image_bytes", result.renderer.imageBytes()},
+                                   {"maps", nlohmann::ordered_json::array()}};
+    for (const auto& map : result.maps.maps)
+        json["maps"].push_back({{"path", map->path}, {"nodata_texels", map->nodata_count}});
+    fmt::print("{}\n", json.dump(2));
+}
+
+void printReport(const Result& result, bool verbose) {
+    double mib = 1.0 / 1048576.0;
+    fmt::print(stderr, "picture  {}\ndevice   {} ({})\n", std::filesystem::absolute(result.picture).string(),
+               result.device.name, result.device.driver);
+    fmt::print(stderr, "time     {:.2f} s in all, {:.3f} s on the device\n", result.seconds,
+               result.renderer.stats().device_seconds);
     fmt::print(stderr, "speed    {:.1f} million camera rays a second, with their shadow rays\n",
-               rays_per_second * 1e-6);
-    if (options.common.verbose)
-        fmt::print(stderr, "maps     {:.1f} MiB on the device\nretried  {} pixels in full precision\n",
-                   double(map_bytes) / 1048576.0, stats.retried_pixels);
+               result.raysPerSecond() * 1e-6);
+    for (const auto& map : result.maps.maps)
+        if (map->nodata_count > 0)
+            fmt::print(stderr, "nodata   {} of {} texels of {}, filled from their neighbours\n", map->nodata_count,
+                       map->samples.size(), map->path);
+    if (!verbose) return;
+    fmt::print(stderr, "maps     {:.1f} MiB on the device\n", double(result.renderer.mapBytes()) * mib);
+    fmt::print(stderr, "images   {:.1f} MiB on the device\n", double(result.renderer.imageBytes()) * mib);
+    fmt::print(stderr, "retried  {} pixels in full precision\n", result.renderer.stats().retried_pixels);
 }
 
 int runRender(const RenderOptions& options) {
@@ -124,7 +147,9 @@ int runRender(const RenderOptions& options) {
     }
     checkValidation(device);
     writePicture(path, image, makeMetadata(scene, device, renderer.stats().device_seconds), options.exposure);
-    report(options, path, device, renderer.stats(), secondsSince(start), renderer.mapBytes());
+    const Result result{path, device.info(), renderer, maps, secondsSince(start)};
+    if (options.common.json) printJson(result);
+    if (!options.common.quiet) printReport(result, options.common.verbose);
     return int(ExitCode::Ok);
 }
 

@@ -2,7 +2,9 @@
 
 #include "base/error.h"
 #include "cli/commands.h"
+#include "image/rawmap.h"
 #include "render/raster.h"
+#include "scene/heightmapscene.h"
 #include "scene/parser.h"
 
 #include <algorithm>
@@ -71,7 +73,10 @@ void lookFromAbove(Scene& scene, const std::vector<double>& latlon) {
 }  // namespace
 
 void addSceneOptions(CLI::App& command, SceneOptions& options) {
-    command.add_option("scene", options.scene, "Scene file (.pbrt), or - for standard input")->required();
+    command
+        .add_option("scene", options.scene,
+                    "Scene file (.pbrt), or - for standard input; or a heightmap, shown over its own range of values")
+        ->required();
     command.add_option("--resolution", options.resolution, "Film size in pixels")
         ->type_size(2)
         ->expected(1)
@@ -96,8 +101,12 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
     command.add_flag("--quick", options.quick, "A quarter of the resolution and one sample a pixel");
 }
 
+bool isHeightmap(const std::string& name) {
+    return name != "-" && looksLikeMap(name);
+}
+
 Scene loadScene(const SceneOptions& options) {
-    Scene scene = parseSceneFile(options.scene);
+    Scene scene = isHeightmap(options.scene) ? heightmapScene(options.scene) : parseSceneFile(options.scene);
     applyFilm(scene.film, options);
     if (options.exaggeration != 1.0) exaggerate(scene, options.exaggeration);
     if (!options.latlon.empty()) lookFromAbove(scene, options.latlon);

@@ -24,7 +24,11 @@ struct SceneOptions {
 
 void addSceneOptions(CLI::App& command, SceneOptions& options);
 
-/// Parses the scene and applies the overrides. Error (Usage) for values out of range, (InvalidInput) for the scene.
+/// Whether a file named in place of a scene is a heightmap.
+bool isHeightmap(const std::string& name);
+
+/// Parses the scene, or makes the one that shows a heightmap, and applies the overrides. Error (Usage) for values out
+/// of range, (InvalidInput) for the scene.
 Scene loadScene(const SceneOptions& options);
 
 }  // namespace dsphere::cli

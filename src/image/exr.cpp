@@ -16,6 +16,7 @@
 #include "base/error.h"
 #include "image/atomicfile.h"
 #include "image/codecs.h"
+#include "image/coloursink.h"
 #include "image/picture.h"
 
 namespace dsphere {
@@ -150,6 +151,14 @@ Names heightChannels(const Imf::ChannelList& channels) {
     return all;
 }
 
+/// The channels that are a colour.
+Names colourChannels(const Imf::ChannelList& channels) {
+    if (channels.findChannel("R") && channels.findChannel("G") && channels.findChannel("B")) return {"R", "G", "B"};
+    if (channels.findChannel("Y")) return {"Y"};
+    throwInvalid("it has the channels {}; a colour image has R, G and B, or Y",
+                 fmt::join(kAllChannels(channels), ", "));
+}
+
 }  // namespace
 
 void writeExr(const std::filesystem::path& path, const Image& image, const Metadata& metadata) {
@@ -186,6 +195,24 @@ RawMap readExrMap(InputFile& file) {
             for (std::size_t k = 0; k < map.samples.size(); ++k)
                 map.samples[k] = meanOf(map.samples[k], image.channels[1].floats()[k], image.channels[2].floats()[k]);
         return map;
+    } catch (const std::exception& error) {
+        file.invalid("cannot be read as EXR: {}", error.what());
+    }
+}
+
+RawColour readExrColour(InputFile& file) {
+    try {
+        const Image image = readPixels(file.name(), false, colourChannels);
+        const bool colour = image.channels.size() == 3;
+        const std::size_t width = std::size_t(image.data.width());
+        ColourSink sink(image.data.width(), image.data.height(), {1.0, false}, colour ? "colour EXR" : "EXR");
+        std::vector<float> row(3 * width);
+        for (std::size_t first = 0; first < image.pixelCount(); first += width) {
+            for (std::size_t k = 0; k < row.size(); ++k)
+                row[k] = image.channels[colour ? k % 3 : 0].floats()[first + k / 3];
+            sink.put(first, width, row.data(), 3);
+        }
+        return sink.take();
     } catch (const std::exception& error) {
         file.invalid("cannot be read as EXR: {}", error.what());
     }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "image/codecs.h"
+#include "image/coloursink.h"
 #include "image/netpbm.h"
 
 // PFM: "Pf" (grey) or "PF" (colour), width, height and a scale in text, then float32 rows from the bottom. The scale's
@@ -21,36 +22,61 @@ std::endian readByteOrder(InputFile& file) {
     return scale < 0.0 ? std::endian::little : std::endian::big;
 }
 
-}  // namespace
+struct Header {
+    int width = 0, height = 0, channels = 1;
+    std::endian order = std::endian::big;
 
-RawMap readPfm(InputFile& file) {
+    const char* type() const { return channels == 3 ? "float32 colour PFM" : "float32 PFM"; }
+};
+
+Header readHeader(InputFile& file) {
     const std::string magic = readWord(file, "Pf or PF");
     if (magic != "Pf" && magic != "PF") file.invalid("found {:?}, expected Pf or PF", magic);
-    const std::size_t channels = magic == "PF" ? 3 : 1;
     const std::int64_t width = readNumber(file, "the width of a PFM");
     const std::int64_t height = readNumber(file, "the height of a PFM");
     checkSize(file, "PFM", width, height);
-    const std::endian order = readByteOrder(file);
+    const Header header{int(width), int(height), magic == "PF" ? 3 : 1, readByteOrder(file)};
+    checkLength(file, fmt::format("{} of {}x{} texels", header.type(), width, height),
+                std::uint64_t(width) * std::uint64_t(height) * std::uint64_t(header.channels) * 4);
+    return header;
+}
 
-    RawMap map;
-    map.width = int(width);
-    map.height = int(height);
-    map.type = channels == 3 ? "float32 colour PFM" : "float32 PFM";
-    const std::size_t row_bytes = std::size_t(width) * channels * 4;
-    checkLength(file, fmt::format("{} of {}x{} texels", map.type, width, height),
-                std::uint64_t(row_bytes) * std::uint64_t(height));
-
-    map.samples.resize(std::size_t(width) * std::size_t(height));
-    std::vector<std::uint8_t> row(row_bytes);
-    for (std::size_t j = std::size_t(height); j-- > 0;) {
-        file.read(row.data(), row.size());
-        float* out = &map.samples[j * std::size_t(width)];
-        for (std::size_t k = 0; k < row_bytes; k += 4 * channels, ++out) {
-            const float first = loadFloat(&row[k], order);
-            *out = channels == 1 ? first : meanOf(first, loadFloat(&row[k + 4], order), loadFloat(&row[k + 8], order));
-        }
+/// Calls `use(first, values)` for every row: its first texel's index, and its values, a texel's channels together.
+template <typename Use>
+void readRows(InputFile& file, const Header& header, Use use) {
+    std::vector<float> values(std::size_t(header.width) * std::size_t(header.channels));
+    std::vector<std::uint8_t> bytes(4 * values.size());
+    for (std::size_t j = std::size_t(header.height); j-- > 0;) {
+        file.read(bytes.data(), bytes.size());
+        for (std::size_t k = 0; k < values.size(); ++k) values[k] = loadFloat(&bytes[4 * k], header.order);
+        use(j * std::size_t(header.width), values);
     }
+}
+
+}  // namespace
+
+RawMap readPfm(InputFile& file) {
+    const Header header = readHeader(file);
+    RawMap map;
+    map.width = header.width;
+    map.height = header.height;
+    map.type = header.type();
+    map.samples.resize(std::size_t(map.width) * std::size_t(map.height));
+    readRows(file, header, [&](std::size_t first, const std::vector<float>& values) {
+        float* out = &map.samples[first];
+        for (std::size_t k = 0; k < values.size(); k += std::size_t(header.channels), ++out)
+            *out = header.channels == 1 ? values[k] : meanOf(values[k], values[k + 1], values[k + 2]);
+    });
     return map;
+}
+
+RawColour readPfmColour(InputFile& file) {
+    const Header header = readHeader(file);
+    ColourSink sink(header.width, header.height, {1.0, false}, header.type());
+    readRows(file, header, [&](std::size_t first, const std::vector<float>& values) {
+        sink.put(first, std::size_t(header.width), values.data(), header.channels);
+    });
+    return sink.take();
 }
 
 }  // namespace dsphere

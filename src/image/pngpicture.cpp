@@ -1,11 +1,11 @@
 #include <png.h>
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <vector>
 
+#include "base/srgb.h"
 #include "image/codecs.h"
 #include "image/picture.h"
 #include "image/stb.h"
@@ -28,9 +28,8 @@ struct PngImage {
     PngImage& operator=(const PngImage&) = delete;
 };
 
-/// IEC 61966-2-1.
 float fromSrgb(double encoded) {
-    return float(encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
+    return float(linearFromSrgb(encoded));
 }
 
 /// `linear(k, c)` is channel c of pixel k.

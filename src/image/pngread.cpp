@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "image/codecs.h"
+#include "image/coloursink.h"
 #include "image/stb.h"
 
 // stb inflates and unfilters. It checks neither the checksums nor that the data can fill the picture, so the chunks are
@@ -104,35 +105,70 @@ std::vector<float> toFloats(const Sample* pixels, std::size_t count, int channel
     return samples;
 }
 
-}  // namespace
+/// Texels of 8 or (wide) 16 bits a channel: 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA.
+struct Pixels {
+    std::unique_ptr<void, Free> data;
+    int width = 0, height = 0, channels = 0;
+    bool wide = false;
 
-RawMap readPng(InputFile& file) {
+    std::size_t count() const { return std::size_t(width) * std::size_t(height); }
+    double fullScale() const { return wide ? 65535.0 : 255.0; }
+    const char* type() const { return wide ? "16-bit PNG" : "8-bit PNG"; }
+};
+
+Pixels decode(InputFile& file) {
     if (file.remaining() > std::uint64_t(std::numeric_limits<int>::max()))
         file.invalid("PNG: the file has {} bytes, expected less than 2 GiB", file.remaining());
     std::vector<std::uint8_t> bytes(file.remaining());
     file.read(bytes.data(), bytes.size());
     const Header header = checkChunks(file, bytes);
-
-    RawMap map;
-    int channels = 0;
-    const bool wide = header.depth == 16;
-    std::unique_ptr<void, Free> pixels;
-    if (wide)
-        pixels.reset(stbi_load_16_from_memory(bytes.data(), int(bytes.size()), &map.width, &map.height, &channels, 0));
-    else
-        pixels.reset(stbi_load_from_memory(bytes.data(), int(bytes.size()), &map.width, &map.height, &channels, 0));
-    if (!pixels) {
+    Pixels pixels;
+    pixels.wide = header.depth == 16;
+    const auto load = [&](auto loader) {
+        pixels.data.reset(loader(bytes.data(), int(bytes.size()), &pixels.width, &pixels.height, &pixels.channels, 0));
+    };
+    pixels.wide ? load(stbi_load_16_from_memory) : load(stbi_load_from_memory);
+    if (!pixels.data) {
         const char* reason = stbi_failure_reason();
         file.invalid("PNG: cannot be decoded: {}", reason ? reason : "unknown reason");
     }
-    std::vector<std::uint8_t>().swap(bytes);
+    return pixels;
+}
 
-    const std::size_t count = std::size_t(map.width) * std::size_t(map.height);
-    map.samples = wide ? toFloats(static_cast<const stbi_us*>(pixels.get()), count, channels)
-                       : toFloats(static_cast<const stbi_uc*>(pixels.get()), count, channels);
-    map.full_scale = wide ? 65535.0 : 255.0;
-    map.type = wide ? "16-bit PNG" : "8-bit PNG";
+template <typename Sample>
+void putRows(ColourSink& sink, const Sample* data, const Pixels& pixels) {
+    const int channels = pixels.channels < 3 ? 1 : 3;
+    std::vector<float> row(std::size_t(pixels.width) * std::size_t(channels));
+    for (int j = 0; j < pixels.height; ++j) {
+        for (auto out = row.begin(); out != row.end(); data += pixels.channels)
+            for (int c = 0; c < channels; ++c) *out++ = float(data[c]);
+        sink.put(std::size_t(j) * std::size_t(pixels.width), std::size_t(pixels.width), row.data(), channels);
+    }
+}
+
+}  // namespace
+
+RawMap readPng(InputFile& file) {
+    const Pixels pixels = decode(file);
+    RawMap map;
+    map.width = pixels.width;
+    map.height = pixels.height;
+    map.samples = pixels.wide
+                      ? toFloats(static_cast<const stbi_us*>(pixels.data.get()), pixels.count(), pixels.channels)
+                      : toFloats(static_cast<const stbi_uc*>(pixels.data.get()), pixels.count(), pixels.channels);
+    map.full_scale = pixels.fullScale();
+    map.type = pixels.type();
     return map;
+}
+
+RawColour readPngColour(InputFile& file) {
+    const Pixels pixels = decode(file);
+    ColourSink sink(pixels.width, pixels.height, {pixels.fullScale()}, pixels.type());
+    if (pixels.wide)
+        putRows(sink, static_cast<const stbi_us*>(pixels.data.get()), pixels);
+    else
+        putRows(sink, static_cast<const stbi_uc*>(pixels.data.get()), pixels);
+    return sink.take();
 }
 
 }  // namespace dsphere

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <optional>
 
 #include "image/codecs.h"
+#include "image/coloursink.h"
 #include "image/netpbm.h"
 
 // PGM and PPM as netpbm's own pages describe them: sizes and maxval in text, then rows from the top, plain numbers
@@ -53,21 +55,13 @@ void readRow(InputFile& file, const Header& header, std::vector<std::uint8_t>& b
     for (std::size_t k = 0; k < row.size(); ++k) row[k] = header.sample_bytes == 2 ? load16(&bytes[2 * k]) : bytes[k];
 }
 
-}  // namespace
-
-RawMap readPnm(InputFile& file) {
-    const Header header = readHeader(file);
+/// Calls `use(j, row)` for every row of samples, the channels of a texel together.
+template <typename Use>
+void readRows(InputFile& file, const Header& header, Use use) {
     // A plain sample takes a digit, and white space between it and the next.
     const std::uint64_t needed =
         header.plain ? 2 * header.samples() - 1 : header.samples() * std::uint64_t(header.sample_bytes);
     checkLength(file, fmt::format("{} of {}x{} texels", header.type, header.width, header.height), needed);
-
-    RawMap map;
-    map.width = header.width;
-    map.height = header.height;
-    map.full_scale = header.maxval;
-    map.type = header.type;
-    map.samples.reserve(std::size_t(header.width) * std::size_t(header.height));
     std::vector<int> row(header.rowSamples());
     std::vector<std::uint8_t> bytes(header.plain ? 0 : row.size() * std::size_t(header.sample_bytes));
     for (int j = 0; j < header.height; ++j) {
@@ -76,11 +70,39 @@ RawMap readPnm(InputFile& file) {
             if (row[k] > header.maxval)
                 file.invalid("{}: the sample at column {}, row {} is over the maxval of {}", header.type,
                              k / std::size_t(header.channels), j, header.maxval);
+        use(j, row);
+    }
+}
+
+}  // namespace
+
+RawMap readPnm(InputFile& file) {
+    const Header header = readHeader(file);
+    RawMap map;
+    map.width = header.width;
+    map.height = header.height;
+    map.full_scale = header.maxval;
+    map.type = header.type;
+    readRows(file, header, [&](int j, const std::vector<int>& row) {
+        if (j == 0) map.samples.reserve(std::size_t(header.width) * std::size_t(header.height));
         for (std::size_t k = 0; k < row.size(); k += std::size_t(header.channels))
             map.samples.push_back(header.channels == 1 ? float(row[k])
                                                        : meanOf(float(row[k]), float(row[k + 1]), float(row[k + 2])));
-    }
+    });
     return map;
+}
+
+RawColour readPnmColour(InputFile& file) {
+    const Header header = readHeader(file);
+    std::optional<ColourSink> sink;  // made when the file's length has been checked
+    std::vector<float> values(header.rowSamples());
+    readRows(file, header, [&](int j, const std::vector<int>& row) {
+        if (!sink) sink.emplace(header.width, header.height, ColourCode{double(header.maxval)}, header.type);
+        std::ranges::copy(row, values.begin());
+        sink->put(std::size_t(j) * std::size_t(header.width), std::size_t(header.width), values.data(),
+                  header.channels);
+    });
+    return sink->take();
 }
 
 }  // namespace dsphere

@@ -9,39 +9,66 @@
 namespace dsphere {
 namespace {
 
-using Reader = RawMap (*)(InputFile&);
+using Magic = std::array<std::uint8_t, 4>;
 
-/// The reader for the file's magic, or nullptr. GTX has none.
-Reader readerOf(const std::array<std::uint8_t, 4>& magic) {
+Magic readMagic(InputFile& file) {
+    Magic magic{};
+    file.rewind();
+    file.read(magic.data(), std::min<std::uint64_t>(magic.size(), file.remaining()));
+    file.rewind();
+    return magic;
+}
+
+/// In lower case, with its dot.
+std::string extensionOf(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return extension;
+}
+
+bool hasGtxExtension(const std::filesystem::path& path) {
+    return extensionOf(path) == ".gtx";
+}
+
+/// A scene is text: it has no control characters but white space.
+bool isBinary(InputFile& file) {
+    std::array<char, 512> start;
+    const auto count = std::size_t(std::min<std::uint64_t>(start.size(), file.size()));
+    file.rewind();
+    file.read(start.data(), count);
+    return std::any_of(start.begin(), start.begin() + std::ptrdiff_t(count), [](char c) { return c >= 0 && c < 9; });
+}
+
+}  // namespace
+
+MapFormat formatOf(InputFile& file) {
+    if (file.size() == 0) return MapFormat::Empty;
     constexpr std::uint8_t kClassic = 42, kBig = 43;  // TIFF's version numbers
-    if (magic == std::array<std::uint8_t, 4>{0x89, 'P', 'N', 'G'}) return readPng;
-    if (magic == std::array<std::uint8_t, 4>{0x76, 0x2f, 0x31, 0x01}) return readExrMap;
-    for (const std::uint8_t version : {kClassic, kBig}) {
-        if (magic == std::array<std::uint8_t, 4>{'I', 'I', version, 0}) return readTiff;
-        if (magic == std::array<std::uint8_t, 4>{'M', 'M', 0, version}) return readTiff;
-    }
-    if (magic[0] != 'P') return nullptr;
+    const Magic magic = readMagic(file);
+    if (magic == Magic{0x89, 'P', 'N', 'G'}) return MapFormat::Png;
+    if (magic == Magic{0x76, 0x2f, 0x31, 0x01}) return MapFormat::Exr;
+    for (const std::uint8_t version : {kClassic, kBig})
+        if (magic == Magic{'I', 'I', version, 0} || magic == Magic{'M', 'M', 0, version}) return MapFormat::Tiff;
+    if (magic[0] == 0xff && magic[1] == 0xd8 && magic[2] == 0xff) return MapFormat::Jpeg;
+    if (magic[0] != 'P') return MapFormat::Unknown;
     switch (magic[1]) {
         case '2':
         case '3':
         case '5':
         case '6':
-            return readPnm;
+            return MapFormat::Pnm;
         case 'f':
         case 'F':
-            return readPfm;
+            return MapFormat::Pfm;
         default:
-            return nullptr;
+            return MapFormat::Unknown;
     }
 }
 
-bool hasGtxExtension(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return extension == ".gtx";
+std::string firstBytes(InputFile& file) {
+    const Magic magic = readMagic(file);
+    return fmt::format("{:02x} {:02x} {:02x} {:02x}", magic[0], magic[1], magic[2], magic[3]);
 }
-
-}  // namespace
 
 void checkSize(const InputFile& file, std::string_view format, std::int64_t width, std::int64_t height) {
     if (width < 1 || height < 1) file.invalid("{}: the size is {}x{}, expected at least 1x1", format, width, height);
@@ -58,16 +85,41 @@ void checkLength(const InputFile& file, std::string_view what, std::uint64_t nee
 
 RawMap readRawMap(const std::filesystem::path& path) {
     InputFile file(path);
-    if (file.remaining() == 0) file.invalid("is empty, expected a PNG, PGM, PPM, TIFF, EXR, PFM or GTX map");
-    std::array<std::uint8_t, 4> magic{};
-    file.read(magic.data(), std::min<std::uint64_t>(magic.size(), file.remaining()));
-    file.rewind();
-    if (const Reader read = readerOf(magic)) return read(file);
+    switch (formatOf(file)) {
+        case MapFormat::Png:
+            return readPng(file);
+        case MapFormat::Pnm:
+            return readPnm(file);
+        case MapFormat::Pfm:
+            return readPfm(file);
+        case MapFormat::Tiff:
+            return readTiff(file);
+        case MapFormat::Exr:
+            return readExrMap(file);
+        case MapFormat::Jpeg:
+            file.invalid("is a JPEG image, which loses heights; expected a PNG, PGM, PPM, TIFF, EXR, PFM or GTX map");
+        case MapFormat::Empty:
+            file.invalid("is empty, expected a PNG, PGM, PPM, TIFF, EXR, PFM or GTX map");
+        case MapFormat::Unknown:
+            break;
+    }
     if (hasGtxExtension(path)) return readGtx(file);
     file.invalid(
-        "unknown format: it begins with the bytes {:02x} {:02x} {:02x} {:02x}, expected a PNG, PGM, PPM (P2 P3 P5 P6), "
-        "TIFF, EXR or PFM, or a GTX grid named .gtx",
-        magic[0], magic[1], magic[2], magic[3]);
+        "unknown format: it begins with the bytes {}, expected a PNG, PGM, PPM (P2 P3 P5 P6), TIFF, EXR or PFM, or a "
+        "GTX grid named .gtx",
+        firstBytes(file));
+}
+
+bool looksLikeMap(const std::filesystem::path& path) try {
+    constexpr std::array kExtensions{".png", ".pgm", ".ppm", ".pnm", ".pfm", ".tif", ".tiff", ".exr", ".gtx"};
+    if (std::ranges::find(kExtensions, extensionOf(path)) != kExtensions.end()) return true;
+    if (!std::filesystem::is_regular_file(path)) return false;
+    InputFile file(path);
+    const MapFormat format = formatOf(file);
+    if (format == MapFormat::Empty) return false;
+    return format != MapFormat::Unknown || (extensionOf(path) != ".pbrt" && isBinary(file));
+} catch (const std::exception&) {
+    return false;
 }
 
 }  // namespace dsphere

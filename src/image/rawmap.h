@@ -28,4 +28,8 @@ struct RawMap {
 /// length must cover what the header promises.
 RawMap readRawMap(const std::filesystem::path& path);
 
+/// Whether a file is for readRawMap rather than a scene: the content decides, where it says nothing (it is empty,
+/// missing or text) the extension. Never throws.
+bool looksLikeMap(const std::filesystem::path& path);
+
 }  // namespace dsphere

@@ -2,95 +2,21 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdarg>
 #include <cstring>
-#include <memory>
+#include <functional>
+#include <optional>
 
 #include "image/codecs.h"
+#include "image/coloursink.h"
 #include "image/tiffcheck.h"
-
-// Everything here hangs on one TIFF handle: its input, its messages and its memory limit. libtiff's global handlers are
-// left alone, so that any number of maps may be read at once.
+#include "image/tiffsource.h"
 
 namespace dsphere {
 namespace {
 
-/// What libtiff calls back with. Nothing may be thrown through it.
-struct Source {
-    InputFile& file;
-    std::uint64_t position = 0;      ///< may lie beyond the end
-    std::array<char, 256> reason{};  ///< the first error told
-};
-
-tmsize_t readBytes(thandle_t handle, void* to, tmsize_t count) try {
-    Source& source = *static_cast<Source*>(handle);
-    if (source.position >= source.file.size()) return 0;
-    source.file.seek(source.position);
-    const auto wanted = std::size_t(std::min<std::uint64_t>(std::uint64_t(count), source.file.remaining()));
-    source.file.read(to, wanted);
-    source.position += wanted;
-    return tmsize_t(wanted);
-} catch (const std::exception&) {
-    return -1;
-}
-
-tmsize_t writeNothing(thandle_t, void*, tmsize_t) {
-    return 0;
-}
-
-toff_t seekTo(thandle_t handle, toff_t offset, int whence) {
-    Source& source = *static_cast<Source*>(handle);
-    const std::uint64_t from = whence == SEEK_CUR ? source.position : whence == SEEK_END ? source.file.size() : 0;
-    return source.position = from + offset;
-}
-
-int keepOpen(thandle_t) {
-    return 0;
-}
-
-toff_t sizeOf(thandle_t handle) {
-    return static_cast<Source*>(handle)->file.size();
-}
-
-int keepError(TIFF*, void* user, const char*, const char* format, va_list arguments) {
-    auto& reason = static_cast<Source*>(user)->reason;
-    if (reason[0] == '\0') std::vsnprintf(reason.data(), reason.size(), format, arguments);
-    return 1;  // handled: nothing is printed
-}
-
-/// Warnings are of tags unknown to libtiff, GeoTIFF's for one.
-int dropWarning(TIFF*, void*, const char*, const char*, va_list) {
-    return 1;
-}
-
-struct Close {
-    void operator()(TIFF* tiff) const { TIFFClose(tiff); }
-    void operator()(TIFFOpenOptions* options) const { TIFFOpenOptionsFree(options); }
-};
-using Handle = std::unique_ptr<TIFF, Close>;
-
-[[noreturn]] void fail(const Source& source, std::string_view what) {
-    source.file.invalid("TIFF: {}: {}", what, source.reason[0] ? source.reason.data() : "unknown reason");
-}
-
 // The most that a codec may unpack a byte to: 1032 for deflate, 2559 for LZW's longest codes, 64 for PackBits. The
 // others (ZSTD, LZMA, LERC, WebP ...) shrink equal values as far as they like.
 constexpr std::uint64_t kMaxPacking = 4096, kMaxOtherPacking = 65536;
-
-Handle open(Source& source) {
-    const std::unique_ptr<TIFFOpenOptions, Close> options(TIFFOpenOptionsAlloc());
-    if (!options) throw std::bad_alloc();
-    TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keepError, &source);
-    TIFFOpenOptionsSetWarningHandlerExtR(options.get(), dropWarning, nullptr);
-    const std::uint64_t limit = std::uint64_t(kMaxTexels) * 4 * 4;
-    TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(),
-                                        tmsize_t(std::min(limit, source.file.size() * kMaxOtherPacking)));
-    // m: do not map the file into memory.
-    Handle tiff(TIFFClientOpenExt(source.file.name().c_str(), "rm", &source, readBytes, writeNothing, seekTo, keepOpen,
-                                  sizeOf, nullptr, nullptr, options.get()));
-    if (!tiff) fail(source, "cannot be read");
-    return tiff;
-}
 
 template <typename Sample>
 float load(const std::uint8_t* bytes) {
@@ -217,7 +143,7 @@ Layout readLayout(const InputFile& file, TIFF* tiff) {
 }
 
 /// Throws unless every block lies in the file and is long enough for what it shall unpack to.
-void checkBlocks(const Source& source, TIFF* tiff, const Layout& layout) {
+void checkBlocks(const TiffSource& source, TIFF* tiff, const Layout& layout) {
     const std::uint64_t bytes = source.file.size();
     const std::uint64_t total = std::uint64_t(layout.width * layout.height) * layout.texelBytes();
     if (total / layout.packing > bytes)
@@ -230,7 +156,7 @@ void checkBlocks(const Source& source, TIFF* tiff, const Layout& layout) {
             const std::uint32_t index = layout.index(plane, bx, by);
             const std::uint64_t offset = TIFFGetStrileOffsetWithErr(tiff, index, &failed);
             const std::uint64_t count = failed ? 0 : TIFFGetStrileByteCountWithErr(tiff, index, &failed);
-            if (failed) fail(source, "the table of strips or tiles cannot be read");
+            if (failed) source.fail("the table of strips or tiles cannot be read");
             const std::uint64_t needed = layout.blockBytes(by);
             if (offset > bytes || count > bytes - offset || count < 1 || needed / layout.packing > count)
                 source.file.invalid(
@@ -240,20 +166,24 @@ void checkBlocks(const Source& source, TIFF* tiff, const Layout& layout) {
         }
 }
 
-void readBlock(Source& source, TIFF* tiff, const Layout& layout, std::uint32_t index, std::uint8_t* to,
+/// Takes a run of texels of one row from the column and row given.
+using Use = std::function<void(std::int64_t column, std::int64_t row, Row texels, std::size_t count)>;
+
+void readBlock(TiffSource& source, TIFF* tiff, const Layout& layout, std::uint32_t index, std::uint8_t* to,
                std::uint64_t count) {
     const auto size = tmsize_t(count);
     const tmsize_t got =
         layout.tiled ? TIFFReadEncodedTile(tiff, index, to, size) : TIFFReadEncodedStrip(tiff, index, to, size);
-    if (got != size) fail(source, fmt::format("{} {} cannot be decoded", layout.tiled ? "tile" : "strip", index));
+    if (got != size) source.fail(fmt::format("{} {} cannot be decoded", layout.tiled ? "tile" : "strip", index));
 }
 
-void readBlocks(Source& source, TIFF* tiff, const Layout& layout, std::vector<float>& samples) {
+void readBlocks(TiffSource& source, TIFF* tiff, const Layout& layout, const Use& use) {
     const std::size_t bytes = layout.blockBytes(0);
     std::vector<std::uint8_t> blocks(bytes * std::size_t(layout.planes()));
     // From colour to colour of a texel.
     const std::size_t apart = layout.grey ? 0 : layout.separate ? bytes : std::size_t(layout.kind->bits / 8);
-    for (std::int64_t by = 0; by < layout.down; ++by)
+    for (std::int64_t by = 0; by < layout.down; ++by) {
+        source.forget();
         for (std::int64_t bx = 0; bx < layout.across; ++bx) {
             for (int plane = 0; plane < layout.planes(); ++plane)
                 readBlock(source, tiff, layout, layout.index(plane, bx, by), &blocks[std::size_t(plane) * bytes],
@@ -262,29 +192,85 @@ void readBlocks(Source& source, TIFF* tiff, const Layout& layout, std::vector<fl
             const std::int64_t columns = std::min(layout.block_width, layout.width - left);
             for (std::int64_t j = 0; j < layout.rowsOf(by); ++j) {
                 const std::uint8_t* row = &blocks[std::size_t(j) * layout.rowBytes()];
-                layout.kind->toFloats({{row, row + apart, row + 2 * apart}, layout.texelBytes()}, layout.grey,
-                                      &samples[std::size_t((top + j) * layout.width + left)], std::size_t(columns));
+                use(left, top + j, {{row, row + apart, row + 2 * apart}, layout.texelBytes()}, std::size_t(columns));
             }
         }
+    }
+}
+
+/// Strips row by row: one that holds a whole map is never decoded as a whole.
+void readRows(TiffSource& source, TIFF* tiff, const Layout& layout, const Use& use) {
+    constexpr std::size_t kForgetBytes = std::size_t(16) << 20;
+    std::vector<std::uint8_t> row(layout.rowBytes());
+    const std::size_t apart = layout.grey ? 0 : std::size_t(layout.kind->bits / 8);
+    const std::uint8_t* first = row.data();
+    std::size_t decoded = 0;
+    if (TIFFScanlineSize64(tiff) != row.size())
+        source.file.invalid("TIFF: rows of {} bytes, expected {}", TIFFScanlineSize64(tiff), row.size());
+    for (std::int64_t j = 0; j < layout.height; ++j) {
+        if (TIFFReadScanline(tiff, row.data(), std::uint32_t(j), 0) < 0)
+            source.fail(fmt::format("row {} cannot be decoded", j));
+        use(0, j, {{first, first + apart, first + 2 * apart}, layout.texelBytes()}, std::size_t(layout.width));
+        decoded += row.size();
+        if (decoded < kForgetBytes) continue;
+        source.forget();
+        decoded = 0;
+    }
+}
+
+/// Calls `start(layout)` when the header and the blocks' places have been checked, then the Use that it returns.
+template <typename Start>
+void readPage(InputFile& file, Start start) {
+    checkTiffDirectory(file);
+    TiffSource source{file};
+    const std::uint64_t limit = std::uint64_t(kMaxTexels) * 4 * 4;
+    const TiffHandle tiff = openTiff(source, std::min(limit, file.size() * kMaxOtherPacking));
+    const Layout layout = readLayout(file, tiff.get());
+    checkBlocks(source, tiff.get(), layout);
+    const Use use = start(layout);
+    const bool by_rows = !layout.tiled && layout.planes() == 1;
+    by_rows ? readRows(source, tiff.get(), layout, use) : readBlocks(source, tiff.get(), layout, use);
 }
 
 }  // namespace
 
 RawMap readTiff(InputFile& file) {
-    checkTiffDirectory(file);
-    Source source{file};
-    const Handle tiff = open(source);
-    const Layout layout = readLayout(file, tiff.get());
-    checkBlocks(source, tiff.get(), layout);
-
     RawMap map;
-    map.width = int(layout.width);
-    map.height = int(layout.height);
-    map.full_scale = layout.kind->full_scale;
-    map.type = layout.kind->name;
-    map.samples.resize(std::size_t(layout.width) * std::size_t(layout.height));
-    readBlocks(source, tiff.get(), layout, map.samples);
+    readPage(file, [&map](const Layout& layout) -> Use {
+        map.width = int(layout.width);
+        map.height = int(layout.height);
+        map.full_scale = layout.kind->full_scale;
+        map.type = layout.kind->name;
+        map.samples.resize(std::size_t(layout.width) * std::size_t(layout.height));
+        return [&map, kind = layout.kind, grey = layout.grey](std::int64_t column, std::int64_t row, Row texels,
+                                                              std::size_t count) {
+            kind->toFloats(texels, grey, &map.samples[std::size_t(row * map.width + column)], count);
+        };
+    });
     return map;
+}
+
+RawColour readTiffColour(InputFile& file) {
+    std::optional<ColourSink> sink;
+    std::vector<float> plane, values;
+    readPage(file, [&](const Layout& layout) -> Use {
+        const Kind& kind = *layout.kind;
+        if (kind.format == SAMPLEFORMAT_INT)
+            file.invalid("{}: expected an image of unsigned integers or floats", kind.name);
+        sink.emplace(int(layout.width), int(layout.height),
+                     ColourCode{kind.full_scale, kind.format == SAMPLEFORMAT_UINT}, kind.name);
+        plane.resize(std::size_t(layout.block_width));
+        values.resize(3 * plane.size());
+        return [&, width = layout.width](std::int64_t column, std::int64_t row, Row texels, std::size_t count) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                const std::uint8_t* colour = texels.colours[c];
+                kind.toFloats({{colour, colour, colour}, texels.step}, true, plane.data(), count);
+                for (std::size_t k = 0; k < count; ++k) values[3 * k + c] = plane[k];
+            }
+            sink->put(std::size_t(row * width + column), count, values.data(), 3);
+        };
+    });
+    return sink->take();
 }
 
 }  // namespace dsphere

@@ -1,6 +1,7 @@
 #include "reference/tracer.h"
 
 #include "reference/analytic.h"
+#include "reference/colour.h"
 #include "scene/ramps.h"
 
 #include <cassert>
@@ -14,7 +15,9 @@ LightRay lightRay(const Light& light, const dvec3& world_point) {
     return {std::get<PointLight>(light).position - world_point, 1.0};
 }
 
-Tracer::Tracer(const Scene& scene, std::vector<const Heightmap*> maps, std::vector<Relief> reliefs) : scene_(&scene) {
+Tracer::Tracer(const Scene& scene, std::vector<const Heightmap*> maps, std::vector<Relief> reliefs,
+               std::vector<const ColourMap*> images)
+    : scene_(&scene), images_(std::move(images)) {
     assert(maps.size() == scene.shapes.size() && reliefs.size() == scene.shapes.size());
     surfaces_.resize(scene.shapes.size());
     for (std::size_t k = 0; k < scene.shapes.size(); ++k) {
@@ -91,8 +94,13 @@ bool Tracer::occluded(const dvec3& origin, const dvec3& direction, double t_max,
 }
 
 dvec3 Tracer::reflectance(int shape, const dvec3& object_position) const {
-    const Texture& texture = scene_->shapes[std::size_t(shape)].material.reflectance;
+    const Shape& what = scene_->shapes[std::size_t(shape)];
+    const Texture& texture = what.material.reflectance;
     if (const auto* constant = std::get_if<ConstantColour>(&texture)) return constant->rgb;
+    if (const auto* picture = std::get_if<ImageMap>(&texture)) {
+        assert(std::size_t(shape) < images_.size() && images_[std::size_t(shape)] && "an image map needs its image");
+        return imageColour(what, *picture, *images_[std::size_t(shape)], object_position);
+    }
     const int ramp = findRamp(std::get<HeightRamp>(texture).ramp);
     const Surface* displaced = surface(shape);
     assert(ramp >= 0 && displaced && "the parser lets ramps onto displaced spheres only, by known names");

@@ -4,6 +4,7 @@
 
 #include "reference/firsthit.h"
 #include "scene/scene.h"
+#include "surface/colourmap.h"
 
 #include <cstdint>
 #include <optional>
@@ -36,8 +37,10 @@ LightRay lightRay(const Light& light, const dvec3& world_point);
 class Tracer {
   public:
     /// One map and relief a shape, in the scene's order; nullptr (and any relief) for spheres and disks. Shapes that
-    /// share a map each build their own bounds.
-    Tracer(const Scene& scene, std::vector<const Heightmap*> maps, std::vector<Relief> reliefs);
+    /// share a map each build their own bounds. Also one image a shape, for those that an image map colours; needs not
+    /// be given if none is.
+    Tracer(const Scene& scene, std::vector<const Heightmap*> maps, std::vector<Relief> reliefs,
+           std::vector<const ColourMap*> images = {});
 
     /// The nearest hit over all shapes of a camera ray; t in units of |direction|.
     WorldHit firstHit(const dvec3& origin, const dvec3& direction) const;
@@ -72,6 +75,7 @@ class Tracer {
     const Scene* scene_;
     std::vector<std::optional<Surface>> surfaces_;
     std::vector<dmat4> object_from_world_;
+    std::vector<const ColourMap*> images_;
 };
 
 }  // namespace dsphere::reference

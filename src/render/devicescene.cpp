@@ -61,11 +61,25 @@ void uploadNodes(gpu::StorageImage& image, const NodeGrid& nodes, Stack::Place p
     }
 }
 
+// A few megabytes at a time, as nodes.
+void uploadImage(gpu::StorageImage& image, const ImageWords& source, Stack::Place place) {
+    int rows_at_once = std::max(1, (1 << 20) / source.width());
+    std::vector<std::uint32_t> words;
+    for (int first = 0; first < source.height(); first += rows_at_once) {
+        int count = std::min(rows_at_once, source.height() - first);
+        words.clear();
+        for (int j = first; j < first + count; ++j) source.appendRow(j, words);
+        image.upload(std::uint32_t(place.layer), 0, std::uint32_t(place.y + first), std::uint32_t(source.width()),
+                     std::uint32_t(count), words.data());
+    }
+}
+
 }  // namespace
 
 struct DeviceScene::Layout {
-    Stack heights, bounds, edges;
-    std::vector<Stack::Place> node_places, bound_places;
+    Stack heights, bounds, edges, images;
+    std::vector<Stack::Place> node_places, bound_places, image_places;
+    std::vector<int> centre_rows;       ///< in the edges, one an object
     std::vector<layout::MapData> maps;  ///< one a relief
 
     std::vector<layout::MapData> ofObjects(const PackedScene& packed) const {
@@ -75,12 +89,39 @@ struct DeviceScene::Layout {
         return result;
     }
 
+    std::vector<layout::ObjectData> placedObjects(const PackedScene& packed) const {
+        std::vector<layout::ObjectData> result = packed.objects;
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            if (packed.image_of_object[i] < 0) continue;
+            Stack::Place place = image_places[std::size_t(packed.image_of_object[i])];
+            result[i].image_y = place.y;
+            result[i].image_layer = place.layer;
+            result[i].image_centres_y = centre_rows[i];
+        }
+        return result;
+    }
+
+    void placeImages(const gpu::Device& device, const PackedScene& packed) {
+        if (!packed.images.empty()) images.add(256, 1);  // the codes' light
+        for (const ImageWords& image : packed.images) {
+            if (image.width() > images.limit || image.height() > images.limit)
+                throwInvalid("{}: takes an image of {}x{}, but those of {} end at {}x{}", image.path(), image.width(),
+                             image.height(), device.info().name, images.limit, images.limit);
+            image_places.push_back(images.add(image.width(), image.height()));
+        }
+        for (const PackedCentres& centres : packed.centres) {
+            int width = int(std::max(centres.columns.size(), centres.rows.size()));
+            centre_rows.push_back(width > 0 ? edges.add(width, 2).y : 0);
+        }
+    }
+
     Layout(const gpu::Device& device, const PackedScene& packed) {
         int limit = int(device.limits().max_image_dimension_2d);
-        heights.limit = bounds.limit = edges.limit = limit;
+        heights.limit = bounds.limit = edges.limit = images.limit = limit;
         for (const auto& nodes : packed.nodes) {
             if (nodes->width() > limit || nodes->rows() + 1 > limit)
-                throwInvalid("a map of {}x{} nodes does not fit {}: its images end at {}x{}", nodes->width(),
+                throwInvalid("{}: a map of {}x{} texels takes an image of {}x{}, but those of {} end at {}x{}",
+                             nodes->map().path, nodes->map().width, nodes->map().height, nodes->width(),
                              nodes->rows() + 1, device.info().name, limit, limit);
             node_places.push_back(heights.add(nodes->width(), nodes->rows() + 1));
         }
@@ -95,6 +136,7 @@ struct DeviceScene::Layout {
             data.edges_y = edges.add(std::max(data.width, data.rows), 2).y;
             maps.push_back(data);
         }
+        placeImages(device, packed);
     }
 };
 
@@ -102,32 +144,44 @@ DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed)
     : DeviceScene(device, packed, Layout(device, packed)) {}
 
 DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, const Layout& layout)
-    : objects_(makeBuffer(device, gpu::Buffer::Usage::Uniform, packed.objects, MAX_OBJECTS, "objects")),
+    : objects_(makeBuffer(device, gpu::Buffer::Usage::Uniform, layout.placedObjects(packed), MAX_OBJECTS, "objects")),
       maps_(makeBuffer(device, gpu::Buffer::Usage::Uniform, layout.ofObjects(packed), MAX_OBJECTS, "maps")),
       lights_(makeBuffer(device, gpu::Buffer::Usage::Uniform, packed.lights, MAX_LIGHTS, "lights")),
       ramps_(makeBuffer(device, gpu::Buffer::Usage::Storage, packed.ramp_points, packed.ramp_points.size(), "ramps")),
       heights_(makeImage(device, gpu::Format::R32Float, layout.heights, "heights")),
       bounds_(makeImage(device, gpu::Format::R32Float, layout.bounds, "bounds")),
-      edges_(makeImage(device, gpu::Format::Rgba32Float, layout.edges, "edges")) {
+      edges_(makeImage(device, gpu::Format::Rgba32Float, layout.edges, "edges")),
+      images_(makeImage(device, gpu::Format::R32Uint, layout.images, "images")) {
     for (std::size_t i = 0; i < packed.nodes.size(); ++i)
         uploadNodes(heights_, *packed.nodes[i], layout.node_places[i]);
+    auto uploadEdges = [&](int y, const std::vector<layout::vec4>& edges) {
+        edges_.upload(0, 0, std::uint32_t(y), std::uint32_t(edges.size()), 1, edges.data());
+    };
     for (std::size_t i = 0; i < packed.reliefs.size(); ++i) {
         const PackedRelief& relief = packed.reliefs[i];
         Stack::Place place = layout.bound_places[i];
         bounds_.upload(std::uint32_t(place.layer), 0, std::uint32_t(place.y), std::uint32_t(relief.bounds.side),
                        std::uint32_t(relief.bounds.imageHeight()), relief.bounds.squared.data());
-        auto uploadEdges = [&](int y, const std::vector<layout::vec4>& edges) {
-            edges_.upload(0, 0, std::uint32_t(y), std::uint32_t(edges.size()), 1, edges.data());
-        };
         uploadEdges(layout.maps[i].edges_y, relief.shader.longitude_edges);
         uploadEdges(layout.maps[i].edges_y + 1, relief.shader.colatitude_edges);
     }
+    for (std::size_t i = 0; i < packed.centres.size(); ++i) {
+        if (packed.image_of_object[i] < 0) continue;
+        uploadEdges(layout.centre_rows[i], packed.centres[i].columns);
+        uploadEdges(layout.centre_rows[i] + 1, packed.centres[i].rows);
+    }
+    if (!packed.images.empty()) images_.upload(0, 0, 0, 256, 1, codeWords().data());
+    for (std::size_t i = 0; i < packed.images.size(); ++i)
+        uploadImage(images_, packed.images[i], layout.image_places[i]);
+    if (!packed.images.empty())
+        image_bytes_ =
+            std::uint64_t(images_.width()) * images_.height() * images_.layers() * texelBytes(images_.format());
     for (const gpu::StorageImage* image : {&heights_, &bounds_, &edges_})
         map_bytes_ += std::uint64_t(image->width()) * image->height() * image->layers() * texelBytes(image->format());
 }
 
 std::vector<gpu::Resource> DeviceScene::resources() const {
-    return {&objects_, &maps_, &lights_, &ramps_, &heights_, &bounds_, &edges_};
+    return {&objects_, &maps_, &lights_, &ramps_, &heights_, &bounds_, &edges_, &images_};
 }
 
 }  // namespace dsphere

@@ -19,17 +19,19 @@ class DeviceScene {
     /// Uploads. Error (InvalidInput) when a map is larger than the device's images; Error (Failure) out of memory.
     DeviceScene(gpu::Device& device, const PackedScene& packed);
 
-    /// Bindings BINDING_OBJECTS to BINDING_EDGES, in order.
+    /// Bindings BINDING_OBJECTS to BINDING_IMAGES, in order.
     std::vector<gpu::Resource> resources() const;
     /// Bytes on the device: heights, bounds and edge tables.
     std::uint64_t mapBytes() const { return map_bytes_; }
+    /// Bytes of the colour images.
+    std::uint64_t imageBytes() const { return image_bytes_; }
 
   private:
     struct Layout;
 
     gpu::Buffer objects_, maps_, lights_, ramps_;
-    std::uint64_t map_bytes_ = 0;
-    gpu::StorageImage heights_, bounds_, edges_;
+    std::uint64_t map_bytes_ = 0, image_bytes_ = 0;
+    gpu::StorageImage heights_, bounds_, edges_, images_;
 
     DeviceScene(gpu::Device& device, const PackedScene& packed, const Layout& layout);
 };

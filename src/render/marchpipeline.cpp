@@ -20,6 +20,7 @@ gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const PackedScene& p
     specialization[SPEC_KINDS] = packed.kinds;
     specialization[SPEC_PLANES] = planes;
     specialization[SPEC_PRECISION] = std::uint32_t(precision);
+    specialization[SPEC_IMAGES] = packed.images.empty() ? 0 : 1;
     std::uint32_t push_bytes = shader == Shader::Render ? sizeof(layout::RenderParams) : 0;
     return gpu::ComputePipeline(device, spirv, bindings, specialization, push_bytes,
                                 shader == Shader::Render ? "render" : "probe");

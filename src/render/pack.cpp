@@ -91,14 +91,37 @@ void packTransforms(ObjectData& object, const Frame& frame) {
     object.to_world_z = worldRow(2);
 }
 
+double longitudeOriginOf(const Shape& shape) {
+    const auto* sphere = std::get_if<DisplacedSphere>(&shape.geometry);
+    return sphere ? sphere->longitude_origin.value_or(-180.0) : -180.0;
+}
+
+double innerShareOf(const Shape& shape) {
+    const auto* disk = std::get_if<Disk>(&shape.geometry);
+    return disk ? disk->inner_radius / disk->radius : 0.0;
+}
+
+void packImages(PackedScene& packed, const Scene& scene, const SceneMaps& maps) {
+    for (const auto& image : maps.images) packed.images.emplace_back(*image);
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+        const Shape& shape = scene.shapes[i];
+        const ColourMap* image = maps.image(i);
+        packed.image_of_object.push_back(image ? maps.image_of_shape[i] : -1);
+        packed.centres.emplace_back();
+        if (!image) continue;
+        double scale = std::get<ImageMap>(shape.material.reflectance).scale;
+        packed.centres.back() =
+            packImage(packed.objects[i], *image, scale, longitudeOriginOf(shape), innerShareOf(shape));
+    }
+}
+
 void packMaterial(ObjectData& object, const Shape& shape, const Relief& relief) {
     object.ramp = -1;
     object.ramp_offset = float(relief.h_offset);
     object.ramp_scale = float(relief.h_scale);
     if (const auto* constant = std::get_if<ConstantColour>(&shape.material.reflectance))
         object.albedo = narrow(constant->rgb, 1.0);
-    else
-        object.ramp = findRamp(std::get<HeightRamp>(shape.material.reflectance).ramp);
+    if (const auto* ramp = std::get_if<HeightRamp>(&shape.material.reflectance)) object.ramp = findRamp(ramp->ramp);
 }
 
 int findOrAddRelief(PackedScene& packed, int map, const Relief& relief) {
@@ -172,6 +195,7 @@ PackedScene packScene(const Scene& scene, const SceneMaps& maps) {
         packed.kinds |= 1u << object.kind;
         packed.objects.push_back(object);
     }
+    packImages(packed, scene, maps);
     for (const Light& light : scene.lights) packed.lights.push_back(packLight(light));
     for (const Ramp& ramp : ramps())
         for (const dvec3& point : ramp.points) packed.ramp_points.push_back(narrow(point, 1.0));

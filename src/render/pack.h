@@ -2,6 +2,7 @@
 
 // Scene -> PackedScene: the one place where double becomes float.
 
+#include "render/packimage.h"
 #include "render/packmap.h"
 #include "render/raster.h"
 #include "surface/scenemaps.h"
@@ -25,6 +26,9 @@ struct PackedScene {
     std::vector<layout::LightData> lights;
     std::vector<std::unique_ptr<NodeGrid>> nodes;  ///< one a map of SceneMaps, which they refer to
     std::vector<PackedRelief> reliefs;             ///< distinct ones
+    std::vector<ImageWords> images;                ///< one an image of SceneMaps, which they refer to
+    std::vector<int> image_of_object;              ///< index in `images`, -1: none
+    std::vector<PackedCentres> centres;            ///< one an object, empty without an image
     std::vector<layout::vec4> ramp_points;         ///< all ramps, RAMP_POINTS each
     std::uint32_t kinds = 0;                       ///< bit per KIND_ in use
 };

@@ -36,6 +36,7 @@ class Renderer {
 
     const RenderStats& stats() const { return stats_; }
     std::uint64_t mapBytes() const { return device_scene_.mapBytes(); }
+    std::uint64_t imageBytes() const { return device_scene_.imageBytes(); }
 
   private:
     struct Film;

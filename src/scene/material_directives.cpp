@@ -51,18 +51,38 @@ void namedMaterial(Statement s) {
     s.state.attributes.material = found->second;
 }
 
+namespace {
+
+HeightRamp heightRamp(Parameters& p) {
+    Words names;
+    for (const Ramp& ramp : ramps()) names.push_back(ramp.name);
+    return {p.choice("ramp", names).value_or("terrain")};
+}
+
+ImageMap imageMap(Statement s, Parameters& p) {
+    std::optional<Token> filename = p.string("filename");
+    std::optional<double> scale = p.number("scale", kNotNegative);
+    p.choice("wrap", {"repeat"});
+    p.finish();
+    if (!filename) failAt(s.word.where, "Texture \"imagemap\" lacks \"string filename\"");
+    if (filename->text.empty()) failAt(filename->where, "the image's name is empty");
+    return {s.source.resolve(filename->text), scale.value_or(1.0), filename->where};
+}
+
+}  // namespace
+
 void texture(Statement s) {
     Token name = s.source.lexer.takeString("a texture's name");
     if (s.state.textures.contains(name.text)) failAt(name.where, "texture {} is defined twice", described(name));
     requireOneOf(s.source.lexer.takeString("a texture's type"), "texture type", {"color", "spectrum"});
-    auto [kind, p] = readNamed(s, "texture", {"constant", "heightramp"});
+    auto [kind, p] = readNamed(s, "texture", {"constant", "heightramp", "imagemap"});
     Texture texture = ConstantColour{dvec3(1.0)};
     if (kind.text == "constant") {
         if (auto value = p.rgb("value", kFraction)) texture = ConstantColour{*value};
+    } else if (kind.text == "heightramp") {
+        texture = heightRamp(p);
     } else {
-        Words names;
-        for (const Ramp& ramp : ramps()) names.push_back(ramp.name);
-        texture = HeightRamp{p.choice("ramp", names).value_or("terrain")};
+        texture = imageMap(s, p);
     }
     p.finish();
     s.state.textures.emplace(name.text, texture);

@@ -1,5 +1,7 @@
 #include "scene/ramps.h"
 
+#include "base/srgb.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -22,17 +24,15 @@ constexpr Codes kViridis = {0x440154, 0x48186a, 0x472d7b, 0x424086, 0x3b528b, 0x
 constexpr Codes kGeoid = {0x0a0a5c, 0x10198a, 0x1230b8, 0x1550dc, 0x1b78ee, 0x1fa0ee, 0x25c4e0, 0x35d8b4, 0x4cd964,
                           0x8edf45, 0xc8e337, 0xf3dc32, 0xfab92b, 0xf79225, 0xec6420, 0xd6331b, 0xa80f17};
 
-// IEC 61966-2-1.
-double linearFromSrgb(std::uint32_t byte) {
-    double code = byte / 255.0;
-    return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
+double linearFromByte(std::uint32_t byte) {
+    return linearFromSrgb(byte / 255.0);
 }
 
 Ramp fromCodes(std::string_view name, const Codes& codes) {
     Ramp ramp{name, {}};
     for (int i = 0; i < kRampPoints; ++i) {
         std::uint32_t code = codes[i];
-        ramp.points[i] = {linearFromSrgb(code >> 16), linearFromSrgb(code >> 8 & 255), linearFromSrgb(code & 255)};
+        ramp.points[i] = {linearFromByte(code >> 16), linearFromByte(code >> 8 & 255), linearFromByte(code & 255)};
     }
     return ramp;
 }

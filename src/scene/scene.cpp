@@ -5,7 +5,7 @@
 namespace dsphere {
 
 std::string SourceLocation::text() const {
-    return fmt::format("{}:{}:{}", file, line, column);
+    return line > 0 ? fmt::format("{}:{}:{}", file, line, column) : file;
 }
 
 }  // namespace dsphere

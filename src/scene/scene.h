@@ -13,12 +13,12 @@
 
 namespace dsphere {
 
-/// Where a word stands in a scene file; lines and columns count from 1.
+/// Where a word stands in a scene file; lines and columns count from 1. Line 0 is the file as a whole.
 struct SourceLocation {
     std::string file;
     int line = 1, column = 1;
 
-    std::string text() const;  ///< "file:line:column"
+    std::string text() const;  ///< "file:line:column", or "file"
 };
 
 enum class Projection { Perspective, Orthographic };
@@ -59,6 +59,7 @@ struct DisplacedSphere {
     double midlevel = 0.0;
     std::optional<double> height_scale;            ///< object units per stored unit; replaces max_displacement
     std::optional<double> height_min, height_max;  ///< stored values that mean h = 0 and h = 1
+    bool own_range = false;                        ///< where those are unset: the map's least and greatest value
     std::optional<Registration> registration;      ///< unset: the map's own default
     std::optional<double> longitude_origin;  ///< degrees at the image's left edge; unset: the map's own, else -180
     double blur = 0.0;                       ///< sigma of a Gaussian in texels, 0 to 1000; 0: none
@@ -94,7 +95,17 @@ struct HeightRamp {
     bool operator==(const HeightRamp&) const = default;
 };
 
-using Texture = std::variant<ConstantColour, HeightRamp>;
+/// An image, read bilinearly and repeated. On a displaced sphere it lies as the heights do, row 0 in the north; on
+/// other shapes by pbrt's own (u, v), row 0 at v = 1.
+struct ImageMap {
+    std::string path;    ///< resolved against the scene file's folder
+    double scale = 1.0;  ///< 0 or greater; the product is cut to [0, 1]
+    SourceLocation where;
+
+    bool operator==(const ImageMap& other) const { return path == other.path && scale == other.scale; }
+};
+
+using Texture = std::variant<ConstantColour, HeightRamp, ImageMap>;
 
 /// A Lambertian surface.
 struct Matte {

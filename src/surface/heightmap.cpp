@@ -98,8 +98,10 @@ Heightmap loadHeightmap(const DisplacedSphere& shape) {
 }
 
 Relief makeRelief(const DisplacedSphere& shape, const Heightmap& map, const SourceLocation& where) {
-    const double height_min = shape.height_min.value_or(0.0);
-    const double height_max = shape.height_max.value_or(map.full_scale);
+    // A map of one value alone lies at h = 0.
+    const double own_top = map.greatest > map.least ? double(map.greatest) : double(map.least) + 1.0;
+    const double height_min = shape.height_min.value_or(shape.own_range ? double(map.least) : 0.0);
+    const double height_max = shape.height_max.value_or(shape.own_range ? own_top : map.full_scale);
     Relief relief;
     relief.h_scale = 1.0 / (height_max - height_min);
     relief.h_offset = -height_min * relief.h_scale;

@@ -14,6 +14,7 @@ class NodeGrid {
     /// Keeps a reference to `map`, which must outlive the grid.
     explicit NodeGrid(const Heightmap& map);
 
+    const Heightmap& map() const { return map_; }
     int width() const { return width_; }
     int rows() const { return rows_; }  ///< rows of cells; there are rows() + 1 rows of nodes
     /// True: the first and last rows are half as high as the others (the polar caps of texel registration).

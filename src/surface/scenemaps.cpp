@@ -1,5 +1,6 @@
 #include "surface/scenemaps.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
@@ -18,11 +19,27 @@ bool sameMap(const DisplacedSphere& a, const DisplacedSphere& b) {
            a.blur == b.blur && sameValue(a.nodata, b.nodata);
 }
 
-std::unique_ptr<Heightmap> load(const DisplacedSphere& sphere, const SourceLocation& where) {
+/// What `load` makes, its error prefixed by the place.
+template <typename Load>
+auto loadAt(const SourceLocation& where, Load load) {
     try {
-        return std::make_unique<Heightmap>(loadHeightmap(sphere));
+        return std::make_unique<decltype(load())>(load());
     } catch (const Error& error) {
+        if (where.line == 0) throw;  // it names the file itself
         throw Error(error.code(), where.text() + ": " + error.what());
+    }
+}
+
+void loadImages(SceneMaps& result, const Scene& scene) {
+    for (const Shape& shape : scene.shapes) {
+        const auto* texture = std::get_if<ImageMap>(&shape.material.reflectance);
+        result.image_of_shape.push_back(-1);
+        if (!texture) continue;
+        const auto found =
+            std::ranges::find_if(result.images, [&](const auto& image) { return image->path() == texture->path; });
+        result.image_of_shape.back() = int(found - result.images.begin());
+        if (found == result.images.end())
+            result.images.push_back(loadAt(texture->where, [&] { return loadColourMap(texture->path); }));
     }
 }
 
@@ -31,6 +48,17 @@ std::unique_ptr<Heightmap> load(const DisplacedSphere& sphere, const SourceLocat
 std::vector<const Heightmap*> SceneMaps::perShape() const {
     std::vector<const Heightmap*> pointers;
     for (int index : map_of_shape) pointers.push_back(index < 0 ? nullptr : maps[std::size_t(index)].get());
+    return pointers;
+}
+
+const ColourMap* SceneMaps::image(std::size_t shape) const {
+    if (shape >= image_of_shape.size() || image_of_shape[shape] < 0) return nullptr;
+    return images[std::size_t(image_of_shape[shape])].get();
+}
+
+std::vector<const ColourMap*> SceneMaps::imagePerShape() const {
+    std::vector<const ColourMap*> pointers;
+    for (std::size_t shape = 0; shape < map_of_shape.size(); ++shape) pointers.push_back(image(shape));
     return pointers;
 }
 
@@ -47,12 +75,13 @@ SceneMaps loadSceneMaps(const Scene& scene) {
         std::size_t index = 0;
         while (index < owners.size() && !sameMap(*owners[index], *sphere)) ++index;
         if (index == owners.size()) {
-            result.maps.push_back(load(*sphere, shape.where));
+            result.maps.push_back(loadAt(shape.where, [&] { return loadHeightmap(*sphere); }));
             owners.push_back(sphere);
         }
         result.map_of_shape.push_back(int(index));
         result.reliefs.push_back(makeRelief(*sphere, *result.maps[index], shape.where));
     }
+    loadImages(result, scene);
     return result;
 }
 

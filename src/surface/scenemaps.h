@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surface/colourmap.h"
 #include "surface/heightmap.h"
 
 #include <memory>
@@ -7,17 +8,24 @@
 
 namespace dsphere {
 
-/// The heightmaps of a scene, each distinct one loaded once, and what each shape makes of its map.
+/// The heightmaps and images of a scene, each distinct one loaded once, and what each shape makes of its map.
 struct SceneMaps {
     std::vector<std::unique_ptr<Heightmap>> maps;
     std::vector<int> map_of_shape;  ///< index in `maps`; -1 for shapes that are no displaced sphere
     std::vector<Relief> reliefs;    ///< one a shape; defaults for shapes without a map
+    std::vector<std::unique_ptr<ColourMap>> images;
+    std::vector<int> image_of_shape;  ///< index in `images`, -1: no image; may be shorter than the shapes
 
     /// One pointer a shape, nullptr without a map.
     std::vector<const Heightmap*> perShape() const;
+    /// The image of a shape's texture, or nullptr.
+    const ColourMap* image(std::size_t shape) const;
+    /// One pointer a shape, nullptr without an image.
+    std::vector<const ColourMap*> imagePerShape() const;
 };
 
-/// Loads every map of the scene. Errors as loadHeightmap and makeRelief, prefixed by the shape's place in the scene.
+/// Loads every map and image of the scene. Errors as loadHeightmap, makeRelief and loadColourMap, prefixed by the place
+/// in the scene of the shape or the image's name.
 SceneMaps loadSceneMaps(const Scene& scene);
 
 }  // namespace dsphere

@@ -52,7 +52,9 @@ std::string describe(const Answer& answer, const WorldHit& truth) {
 }  // namespace
 
 Comparison::Comparison(const Scene& scene, const SceneMaps& maps)
-    : scene_(scene), units_(unitsOf(scene, maps)), tracer_(scene, maps.perShape(), maps.reliefs) {}
+    : scene_(scene),
+      units_(unitsOf(scene, maps)),
+      tracer_(scene, maps.perShape(), maps.reliefs, maps.imagePerShape()) {}
 
 dvec3 Comparison::objectNormal(int shape, const dvec3& object_position) const {
     if (const reference::Surface* surface = tracer_.surface(shape)) return surface->normal(object_position);

@@ -55,6 +55,7 @@ const std::vector<Library> kLibraries = {
     {"stb", {"image"}},
     {"png", {"image"}},
     {"tiff", {"image"}},
+    {"jpeg", {"image"}},
 };
 
 constexpr int kMaxLines = 400;

@@ -136,7 +136,9 @@ TEST_F(RenderTest, JsonIsAllOfStandardOutput) {
     EXPECT_NEAR(json.at("camera_rays_per_second").get<double>() * json.at("device_seconds").get<double>(),
                 3.0 * kWidth * kHeight, 1.0);
     EXPECT_GE(json.at("map_bytes").get<int>(), 64 * 32 * 4);
-    EXPECT_EQ(json.size(), 8u) << "a field that README.md does not name: " << outcome.out;
+    EXPECT_EQ(json.at("image_bytes"), 0) << "the scene has no image";
+    EXPECT_EQ(json.at("maps"), nlohmann::json::parse(R"([{"path":"map.pgm","nodata_texels":0}])"));
+    EXPECT_EQ(json.size(), 10u) << "a field that this test does not know: " << outcome.out;
 }
 
 TEST_F(RenderTest, QuietSaysNothing) {

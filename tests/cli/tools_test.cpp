@@ -41,6 +41,9 @@ TEST_F(InfoTest, OfAMap) {
     EXPECT_EQ(j["non_finite_texels"], 0);
     EXPECT_EQ(j["registration"], "texel");
     EXPECT_EQ(j["longitude_origin"], -180.0);
+    // Refined to 512 columns; a cube face's finest level, then half as many cells down to one.
+    EXPECT_EQ(j["bounds"]["bytes"], 36 * j["bounds"]["side"].get<int>() * j["bounds"]["side"].get<int>());
+    EXPECT_EQ(1 << (j["bounds"]["levels"].get<int>() - 1), j["bounds"]["side"]);
 }
 
 TEST_F(InfoTest, CountsWhatIsNotFinite) {
@@ -101,6 +104,18 @@ TEST_F(CliTest, GeneratedMapsRender) {
         EXPECT_EQ(readRawMap(path("map.pgm")).width, 65);
     }
     EXPECT_EQ(run({"render", "planet.pbrt", "--quick"}).code, 0);
+}
+
+TEST_F(CliTest, GenerateSaysWhatItMade) {
+    Outcome outcome = run({"generate", "terraces", "-o", "map.png", "--size", "32,16", "--seed", "9", "--json"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    json j = json::parse(outcome.out);
+    EXPECT_EQ(j["map"], "map.png");
+    EXPECT_EQ(j["kind"], "terraces");
+    EXPECT_EQ(j["width"], 32);
+    EXPECT_EQ(j["height"], 16);
+    EXPECT_EQ(j["seed"], 9);
+    EXPECT_EQ(j["bytes"], std::filesystem::file_size(path("map.png")));
 }
 
 TEST_F(CliTest, GenerateRefuses) {

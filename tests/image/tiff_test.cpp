@@ -224,9 +224,9 @@ TEST(Tiff, RefusesSizesTheDataCannotFill) {
     EXPECT_TRUE(holds(refusal(1u << 20, 1u << 11, 6, kZstd), "cannot hold"));
     EXPECT_TRUE(holds(refusal(1u << 10, 1u << 10, 6, 7), "for 1048576 bytes of texels"));
     EXPECT_TRUE(holds(refusal(3, 3, 6), "strip 0"));
-    EXPECT_TRUE(holds(refusal(3, 2, 0, kDeflate), "strip 0 cannot be decoded: "));
+    EXPECT_TRUE(holds(refusal(3, 2, 0, kDeflate), "row 0 cannot be decoded: "));
     EXPECT_TRUE(holds(refusal(3, 2, 0xffffffffu, kDeflate), "strip 0"));
-    EXPECT_TRUE(holds(refusal(3, 2, 6, kDeflate), "strip 0 cannot be decoded: "));
+    EXPECT_TRUE(holds(refusal(3, 2, 6, kDeflate), "row 0 cannot be decoded: "));
     EXPECT_TRUE(holds(refusal(3, 2, 6, 12345), "compression 12345"));
 }
 

@@ -6,9 +6,11 @@
 #include <random>
 
 #include "image/picture.h"
+#include "image/rawcolour.h"
 #include "image/rawmap.h"
 #include "tests/image/encoders.h"
 #include "tests/image/exrwriter.h"
+#include "tests/image/jpegwriter.h"
 #include "tests/image/tiffwriter.h"
 #include "tests/support/expecterror.h"
 #include "tests/support/tempfolder.h"
@@ -75,6 +77,35 @@ TEST(HostileMap, EveryTruncationIsRefused) {
     }
 }
 
+std::vector<Sample> colourFiles() {
+    std::vector<Sample> files;
+    for (Sample& sample : smallFiles())
+        if (!sample.name.ends_with(".gtx")) files.push_back(std::move(sample));
+    std::vector<std::uint8_t> noise(3 * 19 * 13);
+    std::mt19937 random(7);
+    for (std::uint8_t& code : noise) code = std::uint8_t(random());
+    files.push_back({"rgb.jpg", jpegFile(19, 13, noise, {})});
+    files.push_back({"progressive.jpg", jpegFile(19, 13, noise, {.progressive = true})});
+    files.push_back({"grey.jpg", jpegFile(8, 8, std::vector<std::uint8_t>(64, 5), {.channels = 1})});
+    files.push_back(
+        {"rgb.exr", exrFile<float>({0, 0, 3, 2}, {{"R", floatRamp(6)}, {"G", floatRamp(6)}, {"B", floatRamp(6)}})});
+    return files;
+}
+
+TEST(HostileColour, EveryTruncationIsRefused) {
+    const TempFolder folder;
+    for (const Sample& sample : colourFiles()) {
+        const std::filesystem::path whole = folder.write(sample.name, sample.bytes);
+        EXPECT_NO_THROW(readRawColour(whole)) << sample.name;
+        for (std::size_t length = 0; length < sample.bytes.size(); ++length) {
+            SCOPED_TRACE(sample.name + " cut to " + std::to_string(length));
+            const auto cut = folder.write(sample.name, sample.bytes.substr(0, length));
+            const std::string message = messageOf(ExitCode::InvalidInput, [&] { readRawColour(cut); });
+            EXPECT_TRUE(holds(message, sample.name));
+        }
+    }
+}
+
 /// Makes the checksums of all whole chunks right, so that damage reaches the decoder.
 void repairPng(std::string& bytes) {
     const auto big = [&](std::size_t at) {
@@ -111,6 +142,27 @@ TEST(HostileMap, DamagedBytesNeverCrash) {
             for (int flips = 1 + round % 4; flips > 0; --flips) bytes[random() % bytes.size()] = char(random());
             if (sample.name.ends_with(".png")) repairPng(bytes);
             readDamaged(folder.write(sample.name, bytes));
+        }
+    }
+}
+
+TEST(HostileColour, DamagedBytesNeverCrash) {
+    const TempFolder folder;
+    std::mt19937 random(2);
+    for (const Sample& sample : colourFiles()) {
+        SCOPED_TRACE(sample.name);
+        for (int round = 0; round < 400; ++round) {
+            std::string bytes = sample.bytes;
+            for (int flips = 1 + round % 4; flips > 0; --flips) bytes[random() % bytes.size()] = char(random());
+            if (sample.name.ends_with(".png")) repairPng(bytes);
+            const auto path = folder.write(sample.name, bytes);
+            try {
+                const RawColour image = readRawColour(path);
+                EXPECT_EQ(image.srgb.size() + image.linear.size(),
+                          3 * std::size_t(image.width) * std::size_t(image.height));
+            } catch (const Error& error) {
+                EXPECT_EQ(int(error.code()), int(ExitCode::InvalidInput));
+            }
         }
     }
 }

@@ -108,6 +108,18 @@ TEST(Directives, Textures) {
     EXPECT_EQ(scene.shapes[0].material, Matte{HeightRamp{"terrain"}});
 }
 
+TEST(Directives, ImageMaps) {
+    const auto texture = [](const std::string& parameters) {
+        Scene scene = parse("WorldBegin Texture \"t\" \"spectrum\" \"imagemap\" " + parameters +
+                            " Material \"diffuse\" \"texture reflectance\" \"t\" Shape \"sphere\"");
+        return std::get<ImageMap>(scene.shapes[0].material.reflectance);
+    };
+    EXPECT_EQ(texture("\"string filename\" \"a.png\""), (ImageMap{"folder/a.png", 1.0, {}}));
+    EXPECT_EQ(texture("\"string filename\" \"a.png\"").where.text(), "test.pbrt:1:64");
+    EXPECT_EQ(texture("\"string filename\" \"/b.jpg\" \"float scale\" 2.5 \"string wrap\" \"repeat\""),
+              (ImageMap{"/b.jpg", 2.5, {}}));
+}
+
 TEST(Directives, NamedMaterials) {
     Scene scene = parse(R"(WorldBegin
         MakeNamedMaterial "red" "string type" "matte" "rgb Kd" [1 0 0]

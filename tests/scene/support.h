@@ -85,6 +85,7 @@ Sampler "halton" "integer pixelsamples" 4 "integer seed" 7
 Integrator "directlighting" "integer maxdepth" 3
 WorldBegin
 Texture "heights" "spectrum" "heightramp" "string ramp" "viridis"
+Texture "picture" "color" "imagemap" "string filename" "p.jpg" "float scale" 2 "string wrap" "repeat"
 Texture "flat" "color" "constant" "rgb value" [.1 .2 .3]
 MakeNamedMaterial "ground" "string type" "diffuse" "texture reflectance" "heights" "float sigma" 0
 LightSource "distant" "rgb L" [3 3 2.5] "point from" [10 5 -10] "point3 to" [0 0 0] "float scale" 2

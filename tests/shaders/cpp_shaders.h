@@ -6,6 +6,7 @@
 #include "shaders/layout.h"
 
 #include "surface/bounds.h"
+#include "surface/colourmap.h"
 #include "surface/nodes.h"
 
 #include <glm/glm.hpp>
@@ -21,6 +22,8 @@ struct Resources {
     const NodeGrid* nodes = nullptr;
     const Bounds* bounds = nullptr;
     std::vector<glm::vec4> longitude_edges, colatitude_edges;
+    const ColourMap* image = nullptr;
+    std::vector<glm::vec4> column_centres, row_centres;  ///< of the image's texels; rows 2 and 3 of the edges
 };
 
 extern thread_local const Resources* current_resources;

@@ -27,7 +27,13 @@ inline real boundAt(const MapData& map, int face, int side, int i, int j) {
     return real(current_resources->bounds->at(face, std::countr_zero(unsigned(map.bounds_side / side)), i, j));
 }
 inline vec4 edgesAt(int x, int y) {
-    return vec4((y == 0 ? current_resources->longitude_edges : current_resources->colatitude_edges)[std::size_t(x)]);
+    const Resources& resources = *current_resources;
+    const std::vector<glm::vec4>* rows[] = {&resources.longitude_edges, &resources.colatitude_edges,
+                                            &resources.column_centres, &resources.row_centres};
+    return vec4((*rows[y])[std::size_t(x)]);
+}
+inline vec3 imageTexel(const ObjectData&, int column, int row) {
+    return vec3(current_resources->image->texel(column, row));
 }
 
 inline real leadingBits(real x) {
@@ -50,6 +56,7 @@ constexpr int kKinds = 1 << KIND_DISPLACED | 1 << KIND_SPHERE | 1 << KIND_DISK;
 #include "shaders/hit.glsl"
 #include "shaders/naive.glsl"
 #include "shaders/objects.glsl"
+#include "shaders/colour.glsl"
 #include "shaders/sample.glsl"
 
 }  // namespace

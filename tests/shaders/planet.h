@@ -29,8 +29,10 @@ struct Planet {
         maps.reliefs.push_back(makeRelief(sphere, *maps.maps[0], shape.where));
         packed = packScene(scene, maps);
         const PackedRelief& relief = packed.reliefs[0];
-        resources = {packed.nodes[0].get(), &relief.bounds, relief.shader.longitude_edges,
-                     relief.shader.colatitude_edges};
+        resources.nodes = packed.nodes[0].get();
+        resources.bounds = &relief.bounds;
+        resources.longitude_edges = relief.shader.longitude_edges;
+        resources.colatitude_edges = relief.shader.colatitude_edges;
         current_resources = &resources;
         surface = std::make_unique<reference::Surface>(*maps.maps[0], maps.reliefs[0]);
     }
