@@ -9,6 +9,8 @@ layout(constant_id = SPEC_OBJECT_COUNT) const int kObjectCount = 1;
 layout(constant_id = SPEC_LIGHT_COUNT) const int kLightCount = 0;
 layout(constant_id = SPEC_KINDS) const int kKinds = 1;
 layout(constant_id = SPEC_PLANES) const uint kPlanes = 0u;
+layout(constant_id = SPEC_THRESHOLD) const float kThreshold = 3e-6;
+layout(constant_id = SPEC_STRIDE) const float kStride = 1.0;
 
 layout(std140, binding = BINDING_OBJECTS) uniform Objects { ObjectData objects[MAX_OBJECTS]; };
 layout(std140, binding = BINDING_MAPS) uniform Maps { MapData maps[MAX_OBJECTS]; };

@@ -12,7 +12,7 @@ enum class Shader { Render, Probe };
 /// A pipeline of a shader that marches the packed scene, specialised to what the scene holds: its bindings are
 /// DeviceScene::resources(), then the film (Render) or the buffers of rays and hits (Probe).
 gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const PackedScene& packed,
-                                       std::span<const std::uint32_t> spirv, Shader shader, Marcher marcher,
+                                       std::span<const std::uint32_t> spirv, Shader shader, const MarchMethod& method,
                                        std::uint32_t planes);
 
 }  // namespace dsphere

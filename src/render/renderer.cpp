@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <chrono>
 #include <cstring>
 #include <limits>
 
@@ -74,12 +75,12 @@ struct Renderer::Pass {
     std::size_t tiles_at_once = 1;
 };
 
-Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Scene& scene, Marcher marcher)
+Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Scene& scene, const MarchMethod& method)
     : device_(device),
       packed_(packed),
       device_scene_(device, packed),
       batch_(device, "render"),
-      marcher_(marcher),
+      method_(method),
       crop_(cropBox(scene.film)),
       display_{0, 0, scene.film.width, scene.film.height},
       spans_(objectSpans(packed.objects, crop_)),
@@ -97,8 +98,10 @@ void Renderer::runTiles(Pass& pass, int sample, double done_before, double share
             batch_.dispatch(std::uint32_t(groups(box.width(), GROUP_SIZE_X)),
                             std::uint32_t(groups(box.height(), GROUP_SIZE_Y)), 1);
         }
+        const auto submitted = std::chrono::steady_clock::now();
         double seconds = batch_.submit();
         stats_.device_seconds += seconds;
+        stats_.wall_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - submitted).count();
         if (seconds < 0.5 * kSubmitTarget) pass.tiles_at_once = std::min(2 * pass.tiles_at_once, count);
         if (seconds > 2.0 * kSubmitTarget) pass.tiles_at_once = std::max<std::size_t>(1, pass.tiles_at_once / 2);
         tile = end;
@@ -108,8 +111,18 @@ void Renderer::runTiles(Pass& pass, int sample, double done_before, double share
     stats_.camera_rays += crop_.width() * std::uint64_t(crop_.height());
 }
 
+const gpu::ComputePipeline& Renderer::pipelineFor(std::uint32_t mask) {
+    auto found = pipelines_.find({method_, mask});
+    if (found == pipelines_.end())
+        found = pipelines_
+                    .emplace(std::pair(method_, mask),
+                             makeMarchPipeline(device_, packed_, kSpirv_render, Shader::Render, method_, mask))
+                    .first;
+    return found->second;
+}
+
 Image Renderer::render(std::uint32_t mask, int samples, std::uint32_t seed, const Progress& progress) {
-    gpu::ComputePipeline pipeline = makeMarchPipeline(device_, packed_, kSpirv_render, Shader::Render, marcher_, mask);
+    const gpu::ComputePipeline& pipeline = pipelineFor(mask);
     Film film(device_, crop_, mask);
     std::vector<gpu::Resource> resources = device_scene_.resources();
     resources.push_back(&film.image);
