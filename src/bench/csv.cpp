@@ -27,7 +27,7 @@ class Line {
         text_ += '"';
     }
     template <typename Number>
-        requires std::is_arithmetic_v<Number>
+    requires std::is_arithmetic_v<Number>
     void add(Number value) {
         separate();
         text_ += fmt::format("{:.9g}", double(value));
@@ -57,9 +57,9 @@ void addAccuracy(Line& line, const std::optional<Accuracy>& accuracy) {
         for (int k = 0; k < kFields; ++k) line.add(std::string());
         return;
     }
-    for (std::uint64_t count : {accuracy->rays, accuracy->hits, accuracy->wrong_verdicts, accuracy->later_roots,
-                                accuracy->tangent, accuracy->shadow_rays, accuracy->wrong_shadows,
-                                accuracy->tangent_shadows, accuracy->runaways})
+    for (std::uint64_t count :
+         {accuracy->rays, accuracy->hits, accuracy->wrong_verdicts, accuracy->later_roots, accuracy->tangent,
+          accuracy->shadow_rays, accuracy->wrong_shadows, accuracy->tangent_shadows, accuracy->runaways})
         line.add(count);
     for (double value : {accuracy->distance_median, accuracy->distance_999, accuracy->distance_greatest,
                          accuracy->pixels_median, accuracy->pixels_999, accuracy->pixels_greatest})

@@ -147,6 +147,13 @@ Scene seenFrom(Scene scene, const View& view) {
 DeviceView::DeviceView(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const View& view)
     : scene_(seenFrom(scene, view)), packed_(packScene(scene_, maps)), renderer_(device, packed_, scene_, {}) {}
 
+void DeviceView::look(const View& view) {
+    scene_.camera = view.camera;
+    scene_.film = view.film;
+    packCamera(packed_, scene_);
+    renderer_.setCamera(scene_);
+}
+
 std::unique_ptr<Contender> makeDeviceContender(DeviceView& view, const Method& method, double unit, Alive alive) {
     return std::make_unique<DeviceContender>(view, method, unit, std::move(alive));
 }

@@ -4,11 +4,12 @@
 
 namespace dsphere::bench {
 
-/// A view packed for the device.
+/// A scene on the device, seen from one view after another.
 class DeviceView {
   public:
     DeviceView(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const View& view);
 
+    void look(const View& view);
     Renderer& renderer() { return renderer_; }
     const Scene& scene() const { return scene_; }
 

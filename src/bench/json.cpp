@@ -150,7 +150,7 @@ struct Reader {
     }
     template <typename T>
     static void value(const Json& from, std::vector<T>& items) {
-        if (!from.is_array()) throw Json::type_error::create(302, "not a list", from);
+        if (!from.is_array()) throw Json::type_error::create(302, "not a list", &from);
         for (const Json& item : from) value(item, items.emplace_back());
     }
     template <typename T>

@@ -78,14 +78,15 @@ class WorkloadRun {
           workload_(workload),
           plan_(plan),
           meter_(meter),
-          smooth_(smoothScene(workload)),
+          planet_(device, workload.scene, workload.maps, workload.views.at(0)),
+          smooth_(device, smoothScene(workload), SceneMaps{{}, {-1}, {Relief{}}}, workload.views[0]),
           comparison_(workload.scene, workload.maps, verify::Comparison::Tolerance::Approximate) {}
 
     void buildMeshes();
     ViewResult runView(std::size_t index);
 
   private:
-    std::vector<Entry> enter(const View& view, DeviceView& planet, DeviceView& smooth);
+    std::vector<Entry> enter(const View& view);
     void race(std::vector<Entry>& entries);
     void runOnce(Entry& entry, bool timed);
     void finish(Entry& entry, const View& view, const std::vector<std::size_t>& pixels, const Answers& exact,
@@ -103,8 +104,7 @@ class WorkloadRun {
     const Workload& workload_;
     const Plan& plan_;
     Meter& meter_;
-    Scene smooth_;
-    SceneMaps no_maps_{{}, {-1}, {Relief{}}};
+    DeviceView planet_, smooth_;
     verify::Comparison comparison_;
     std::vector<BuiltMesh> meshes_;  ///< one a method; unused for the device's
 };
@@ -135,7 +135,7 @@ Spread WorkloadRun::setup(const Method& method, const View& view) {
     return spreadOf(seconds);
 }
 
-std::vector<Entry> WorkloadRun::enter(const View& view, DeviceView& planet, DeviceView& smooth) {
+std::vector<Entry> WorkloadRun::enter(const View& view) {
     std::vector<Entry> entries;
     std::uint64_t film = std::uint64_t(cropBox(view.film).width()) * std::uint64_t(cropBox(view.film).height()) * 4;
     for (std::size_t k = 0; k < plan_.methods.size(); ++k) {
@@ -151,7 +151,7 @@ std::vector<Entry> WorkloadRun::enter(const View& view, DeviceView& planet, Devi
                 entry.result.memory_bytes = mesh.scene->memoryBytes() + film;
             }
         } else {
-            DeviceView& on = method.engine == Engine::SmoothSphere ? smooth : planet;
+            DeviceView& on = method.engine == Engine::SmoothSphere ? smooth_ : planet_;
             entry.contender = makeDeviceContender(on, method, unit(), [this] { return meter_.update(); });
             entry.result.memory_bytes = on.renderer().mapBytes() + film;
         }
@@ -166,9 +166,9 @@ void WorkloadRun::runOnce(Entry& entry, bool timed) {
     Timing primary = entry.contender->tracePrimary();
     Timing shadow;
     if (entry.result.shadow_rays > 0) shadow = entry.contender->traceShadows();
-    entry.spent += wallSeconds() - start;
     meter_.step();
     if (!timed) return;
+    entry.spent += wallSeconds() - start;
     entry.primary.push_back(primary);
     entry.shadow.push_back(shadow);
 }
@@ -178,10 +178,10 @@ void WorkloadRun::race(std::vector<Entry>& entries) {
     for (int round = -1; round < plan_.repeats; ++round)
         for (Entry& entry : entries) {
             if (!entry.contender) continue;
-            // A run that alone exceeds the time is measured once: no noise hides what it costs.
-            bool enough = round >= kLeastRepeats || entry.spent > plan_.seconds * kLeastRepeats;
-            if (round > 0 && enough && entry.spent > plan_.seconds) continue;
-            runOnce(entry, round >= 0);
+            // A run that alone takes all the time is measured once: noise hides little of what it costs.
+            bool enough = round >= kLeastRepeats ? entry.spent > plan_.seconds
+                                                 : round >= 1 && entry.spent > kLeastRepeats * plan_.seconds;
+            if (!enough) runOnce(entry, round >= 0);
         }
 }
 
@@ -210,11 +210,12 @@ ViewResult WorkloadRun::runView(std::size_t index) {
                       box.height(),
                       0.0,
                       {}};
-    DeviceView planet(device_, workload_.scene, workload_.maps, view), smooth(device_, smooth_, no_maps_, view);
+    planet_.look(view);
+    smooth_.look(view);
     std::vector<std::size_t> pixels =
         samplePixels(std::size_t(result.width) * std::size_t(result.height), plan_.samples);
-    std::vector<Entry> entries = enter(view, planet, smooth);
-    Answers exact = makeDeviceContender(planet, {}, unit(), [this] { return meter_.update(); })->answer(pixels);
+    std::vector<Entry> entries = enter(view);
+    Answers exact = makeDeviceContender(planet_, {}, unit(), [this] { return meter_.update(); })->answer(pixels);
     race(entries);
     for (std::size_t k = 0; k < entries.size(); ++k) {
         Entry& entry = entries[k];

@@ -86,6 +86,14 @@ Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Scene& 
       spans_(objectSpans(packed.objects, crop_)),
       tiles_(makeTiles(spans_)) {}
 
+void Renderer::setCamera(const Scene& scene) {
+    device_scene_.updateObjects(packed_);
+    crop_ = cropBox(scene.film);
+    display_ = {0, 0, scene.film.width, scene.film.height};
+    spans_ = objectSpans(packed_.objects, crop_);
+    tiles_ = makeTiles(spans_);
+}
+
 // One tile after another, as many a submission as fit the time target.
 void Renderer::runTiles(Pass& pass, int sample, double done_before, double share, const Progress& progress) {
     std::size_t count = tiles_.size();

@@ -41,6 +41,8 @@ class Renderer {
   public:
     Renderer(gpu::Device& device, const PackedScene& packed, const Scene& scene, const MarchMethod& method);
 
+    /// Takes the camera and film of `scene`; packCamera has given them to the packed scene before.
+    void setCamera(const Scene& scene);
     /// For the renders that follow. Pipelines of methods used before are kept.
     void setMethod(const MarchMethod& method) { method_ = method; }
 
