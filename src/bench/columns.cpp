@@ -108,7 +108,8 @@ const Cells& explanations() {
         "radius R, and as seen, in pixels.",
         "exact is this program's marcher. naive steps by |p| - r until that is under its threshold, in units of R. "
         "lipschitz divides that step by a proven bound of the slope, and stops at 3e-6. grid and triangles are meshes "
-        "of the map's nodes, of every second (1/2) or fourth (1/4) node. The smooth sphere has no map: no method can "
+        "of the map's nodes, of every second (1/2) or fourth (1/4) node. smooth is a sphere without a map: no method "
+        "can "
         "be "
         "faster."};
     return kTexts;

@@ -12,7 +12,7 @@ namespace dsphere::bench {
 
 namespace {
 
-constexpr const char* kFloor = "smooth sphere";
+constexpr const char* kFloor = "smooth";
 
 int styleOf(const std::string& family) {
     const char* families[] = {"exact", "naive", "lipschitz", kFloor, "grid", "triangles"};
@@ -36,6 +36,10 @@ const Spread& rateOf(const MethodResult& method, RayKind kind) {
     return kind == RayKind::Primary ? method.primary.device : method.shadow.device;
 }
 
+PlotPoint pointOf(double x, const Spread& rate, const std::string& label, const std::string& tooltip) {
+    return {x, 1e-6 * rate.median, 1e-6 * rate.least, 1e-6 * rate.greatest, label, tooltip};
+}
+
 Panel speedPanel(const ViewResult& view, RayKind kind) {
     Panel panel;
     panel.title = fmt::format("{}, {:.0f} % of pixels hit", view.view, 100.0 * view.hit_share);
@@ -45,18 +49,25 @@ Panel speedPanel(const ViewResult& view, RayKind kind) {
         double rays = 1e-6 * rate.median;
         if (method.family == kFloor) {
             panel.floor = rays;
-            panel.floor_label = fmt::format("{} {}", kFloor, megaRaysMedian(rate));
+            panel.floor_label = fmt::format("smooth sphere {}", megaRaysMedian(rate));
         }
         if (!method.accuracy || !(method.accuracy->distance_999 > 0.0)) continue;
         double error = method.accuracy->distance_999;
         seriesOf(panel, method.family)
-            .points.push_back(
-                {error, rays, settingOf(method),
-                 fmt::format("{}: {} million rays/s, 99.9 % within {:.2g} R", method.method, megaRays(rate), error)});
+            .points.push_back(pointOf(
+                error, rate, settingOf(method),
+                fmt::format("{}: {} million rays/s, 99.9 % within {:.2g} R", method.method, megaRays(rate), error)));
     }
     for (PlotSeries& series : panel.series)
         if (series.points.size() == 1) series.points[0].label.clear();
     return panel;
+}
+
+std::vector<std::string> familiesOf(const ViewResult& view) {
+    std::vector<std::string> families;
+    for (const MethodResult& method : view.methods)
+        if (families.empty() || families.back() != method.family) families.push_back(method.family);
+    return families;
 }
 
 /// A family's most exact method on a view.
@@ -142,16 +153,15 @@ std::string sizeFigure(const Results& results) {
         if (view.percent != percent) continue;
         auto panel = std::ranges::find(row.panels, view.view, &Panel::title);
         if (panel == row.panels.end()) panel = row.panels.insert(panel, Panel{view.view, {}, 0.0, ""});
-        std::set<std::string> families;
-        for (const MethodResult& method : view.methods) families.insert(method.family);
-        for (const std::string& family : families) {
+        for (const std::string& family : familiesOf(view)) {
             const MethodResult* method = finest(view, family);
             if (!method || !method->primary.device.measured()) continue;
             widths.insert(view.map_width);
+            const Spread& rate = method->primary.device;
             seriesOf(*panel, family)
                 .points.push_back(
-                    {double(view.map_width), 1e-6 * method->primary.device.median, "",
-                     fmt::format("{}, {}: {}", method->method, view.map, megaRays(method->primary.device))});
+                    pointOf(view.map_width, rate, "",
+                            fmt::format("{}, {}: {} million rays/s", method->method, view.map, megaRays(rate))));
         }
     }
     if (widths.size() < 2) return "";

@@ -28,7 +28,7 @@ std::vector<Method> allMethods() {
         march("naive", "3e-5", {Marcher::Naive, 3e-5f}),
         march("naive", "3e-6", {Marcher::Naive, 3e-6f}),
         march("lipschitz", "", {Marcher::Lipschitz, 3e-6f}),
-        {"smooth sphere", "smooth sphere", Engine::SmoothSphere, {}, 1},
+        {"smooth", "smooth", Engine::SmoothSphere, {}, 1},
     };
     if (!haveEmbree()) return methods;
     for (int coarsening : {1, 2, 4}) methods.push_back(mesh("grid", Engine::GridMesh, coarsening));

@@ -21,6 +21,15 @@ class Labels {
 
     void block(const Extent& extent) { taken_.push_back(extent); }
 
+    void blockLine(const std::vector<dvec2>& line) {
+        constexpr int kPieces = 16;
+        for (std::size_t k = 1; k < line.size(); ++k)
+            for (int piece = 0; piece <= kPieces; ++piece) {
+                dvec2 p = glm::mix(line[k - 1], line[k], double(piece) / kPieces);
+                block({p.x - 1.0, p.y - 1.0, p.x + 1.0, p.y + 1.0});
+            }
+    }
+
     void place(Svg& svg, dvec2 at, const std::string& label) {
         double width = textWidth(label), reach = 8.0;
         const Extent tries[] = {{at.x + reach, at.y - 6.0, at.x + reach + width, at.y + 6.0},
@@ -81,7 +90,12 @@ void drawPanel(Svg& svg, const Panel& panel, const Extent& frame, const LogScale
         for (const PlotPoint& point : series.points) {
             line.push_back({x.at(point.x), y.at(point.y)});
             labels.block({line.back().x - 6.0, line.back().y - 6.0, line.back().x + 6.0, line.back().y + 6.0});
+            if (!(point.y_low < point.y_high)) continue;
+            Extent bar{line.back().x, y.at(point.y_high), line.back().x, y.at(point.y_low)};
+            svg.line({bar.x0, bar.y0}, {bar.x1, bar.y1}, fmt::format("l{} bar", series.style));
+            labels.block({bar.x0 - 2.0, bar.y0, bar.x1 + 2.0, bar.y1});
         }
+        labels.blockLine(line);
         if (line.size() > 1) svg.polyline(line, fmt::format("l{}", series.style));
     }
     if (panel.floor > 0.0) labels.place(svg, {frame.x0 - 4.0, y.at(panel.floor) - 9.0}, panel.floor_label);
@@ -101,7 +115,10 @@ std::string drawPanels(const PanelRow& row) {
     for (const Panel& panel : row.panels) {
         if (panel.floor > 0.0) ys.push_back(panel.floor);
         for (const PlotSeries& series : panel.series)
-            for (const PlotPoint& point : series.points) xs.push_back(point.x), ys.push_back(point.y);
+            for (const PlotPoint& point : series.points) {
+                xs.push_back(point.x);
+                ys.insert(ys.end(), {point.y, point.y_low, point.y_high});
+            }
     }
     drawLegend(svg, row.panels);
     double count = double(std::max<std::size_t>(row.panels.size(), 1));
@@ -122,7 +139,7 @@ std::string drawPanels(const PanelRow& row) {
 }
 
 std::string drawDots(const DotPlot& plot) {
-    constexpr double kNames = 120.0, kRow = 21.0, kDotWidth = 640.0;
+    constexpr double kNames = 96.0, kRow = 21.0, kDotWidth = 540.0;
     double height = kRow * double(plot.rows.size());
     Svg svg(kDotWidth, kTop + height + kBottom, plot.title);
     Extent frame{kNames, kTop - 14.0, kDotWidth - 12.0, kTop - 14.0 + height};

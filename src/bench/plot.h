@@ -6,7 +6,8 @@ namespace dsphere::bench {
 
 struct PlotPoint {
     double x = 0.0, y = 0.0;
-    std::string label;  ///< beside the mark where there is room; may be empty
+    double y_low = 0.0, y_high = 0.0;  ///< of the repeats; a bar if they differ
+    std::string label;                 ///< beside the mark where there is room; may be empty
     std::string tooltip;
 };
 

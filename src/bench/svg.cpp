@@ -141,7 +141,8 @@ std::string plotStyle() {
         "svg text{font:11px system-ui,sans-serif;fill:var(--ink)}svg .small{font-size:10px}"
         "svg .title{font-size:12px;font-weight:600}svg .faint{fill:var(--faint)}"
         "svg .grid{stroke:var(--grid);stroke-width:1}svg .frame{fill:none;stroke:var(--faint);stroke-width:1}"
-        "svg .m{stroke:var(--paper);stroke-width:1}svg polyline{fill:none;stroke-width:1.5}"
+        "svg .m{stroke:var(--paper);stroke-width:1;fill-opacity:.9}svg .bar{stroke-width:1.5;stroke-opacity:.45}svg "
+        "polyline{fill:none;stroke-width:1.5}"
         "svg .floor{stroke-dasharray:5 4;stroke-width:1.5}\n";
     auto variables = [&](const char* const* colours, const char* ink, const char* faint, const char* grid,
                          const char* paper) {

@@ -42,7 +42,7 @@ void makeQuick(bench::Suite& suite, bench::Plan& plan, const BenchOptions& optio
     if (options.methods.empty())
         plan.methods =
             bench::chooseMethods(bench::haveEmbree() ? std::vector<std::string>{"exact", "naive 3e-6", "lipschitz",
-                                                                                "smooth sphere", "grid", "triangles"}
+                                                                                "smooth", "grid", "triangles"}
                                                      : std::vector<std::string>{});
 }
 
@@ -112,10 +112,13 @@ int runBench(const BenchOptions& options) {
     results.repeats = plan.repeats;
     results.samples = plan.samples;
     writeReports(options, results);
-    if (options.common.json)
+    std::string changes = before ? bench::changes(results, *before) : "";
+    if (options.common.json) {
         fmt::print("{}\n", bench::toJson(results).dump(2));
-    else
-        fmt::print("{}{}", bench::table(results), before ? bench::changes(results, *before) : "");
+        fmt::print(stderr, "{}", changes);
+    } else {
+        fmt::print("{}{}", bench::table(results), changes);
+    }
     return int(ExitCode::Ok);
 }
 
@@ -128,15 +131,15 @@ void addSuiteOptions(CLI::App& command, BenchOptions& options) {
     command.add_option("--displacements", options.displacements, "Their displacements in percent; default: 5,15,50")
         ->delimiter(',')
         ->type_name("P,...");
-    command.add_option("--views", options.views, "Their views: whole, limb, horizon; default: all")
+    command.add_option("--views", options.views, "Their views, separated by commas; default: all")
         ->delimiter(',')
-        ->type_name("VIEW,...");
+        ->type_name("whole|limb|horizon");
     command
         .add_option("--methods", options.methods,
-                    "Methods, or families of them: exact, naive, lipschitz, smooth sphere, grid, triangles, "
-                    "naive 3e-6, grid 1/2 and so on; default: all")
+                    "Families of methods, or single ones (\"naive 3e-6\", \"grid 1/2\"), separated by commas; default: "
+                    "all. Meshes (grid, triangles) need a build with Embree")
         ->delimiter(',')
-        ->type_name("NAME,...");
+        ->type_name("exact|naive|lipschitz|smooth|grid|triangles");
     command.add_option("--resolution", options.resolution, "Pixels; default: 1280,720, or the scene's film")
         ->type_size(2)
         ->expected(1)

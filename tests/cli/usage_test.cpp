@@ -18,6 +18,7 @@ TEST_F(CliTest, HelpOfEachCommand) {
     const std::vector<std::pair<Words, std::string>> cases = {{{"--help"}, "Subcommands:"},
                                                               {{"render", "--help"}, "--outfile"},
                                                               {{"verify", "-h"}, "--sample"},
+                                                              {{"bench", "--help"}, "--baseline"},
                                                               {{"devices", "--help"}, "--json"}};
     for (const auto& [words, part] : cases) {
         Outcome outcome = run(words);
