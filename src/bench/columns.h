@@ -13,8 +13,11 @@ const Cells& columnNames();
 /// A method's cells; the first is its name.
 Cells cellsOf(const MethodResult& method);
 
-/// The exact marcher against the full grid mesh, a row a view: how often its speed, its set-up and its memory. Empty
-/// without both.
+/// The exact marcher over the full grid mesh, a row a view. Empty without both.
+inline constexpr const char* kPeerText =
+    "Ratios to Embree's grid of all nodes, from the same run. Rays a second: above 1x is faster. Set-up time, memory "
+    "and "
+    "error (distance to the surface of 99.9 % of the hits): below 1x is less.";
 const Cells& peerColumnNames();
 std::vector<Cells> peerRows(const Results& results);
 

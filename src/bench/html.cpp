@@ -52,18 +52,17 @@ std::string header(const Results& results) {
 std::string speedFigures(const CaseViews& of) {
     return figure(speedFigure(of, RayKind::Primary),
                   of.name +
-                      ": primary rays a second against the error of the hits. Better is up and to the left. A "
-                      "line joins the settings of one method; the dashed line is the smooth sphere.") +
+                      ": primary rays a second against the error of the hits. Better is up and to the left. Bars "
+                      "reach from the slowest to the fastest repeat. A line joins the settings of one method; the "
+                      "dashed line is the smooth sphere.") +
            figure(speedFigure(of, RayKind::Shadow), of.name + ": the same of shadow rays.");
 }
 
 std::string mainFigures(const Results& results, const std::vector<CaseViews>& cases) {
     std::string text = "<h2>Speed against error</h2>\n" + speedFigures(mainCase(cases));
     if (std::vector<Cells> rows = peerRows(results); !rows.empty())
-        text +=
-            "<h2>The exact marcher against the full mesh</h2>\n<p>How often the figure of Embree's grid of all "
-            "nodes: rays a second above 1x are faster, times, memory and errors below 1x are less.</p>\n" +
-            tableOf(peerColumnNames(), rows);
+        text += "<h2>The exact marcher against the full mesh</h2>\n<p>" + escapeXml(kPeerText) + "</p>\n" +
+                tableOf(peerColumnNames(), rows);
     if (std::string size = sizeFigure(results); !size.empty())
         text += "<h2>Cost against map size</h2>\n" +
                 figure(size, "The finest setting of each method under the least displacement.");

@@ -41,10 +41,8 @@ std::string markdown(const Results& results, const std::string& figure) {
             "of the hits. Better is up and to the left.*\n\n",
             figure, mainCase(cases).name);
     if (std::vector<Cells> rows = peerRows(results); !rows.empty())
-        text +=
-            "## The exact marcher against the full mesh\n\nHow often the figure of Embree's grid of all nodes: rays "
-            "a second above 1x are faster, times, memory and errors below 1x are less.\n\n" +
-            tableOf(peerColumnNames(), rows);
+        text += std::string("## The exact marcher against the full mesh\n\n") + kPeerText + "\n\n" +
+                tableOf(peerColumnNames(), rows);
     for (const CaseViews& of : cases) {
         text += fmt::format("## {}\n\n", of.name);
         for (const ViewResult* view : of.views) {

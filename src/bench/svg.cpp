@@ -29,7 +29,7 @@ LogScale logScale(const std::vector<double>& values, double from, double to) {
 
 std::vector<double> logTicks(const LogScale& scale) {
     std::vector<double> ticks;
-    bool fine = scale.high / scale.low < 100.0;
+    bool fine = scale.high / scale.low < 1000.0;
     for (int decade = int(std::floor(std::log10(scale.low))); decade <= int(std::log10(scale.high)) + 1; ++decade)
         for (double leading : {1.0, 2.0, 5.0}) {
             double value = leading * std::pow(10.0, decade);

@@ -20,7 +20,7 @@ struct LogScale {
 /// Widened to hold all positive values with some room; a decade at least, so that one value has an axis too.
 LogScale logScale(const std::vector<double>& values, double from, double to);
 
-/// 1, 10, 100...; over less than two decades 2 and 5 as well.
+/// 1, 10, 100...; over less than three decades 2 and 5 as well.
 std::vector<double> logTicks(const LogScale& scale);
 
 /// "0.01", "5", "2,000"; far from 1 as a power of ten: "10<tspan ...>-6</tspan>".
