@@ -82,7 +82,7 @@ std::vector<std::pair<std::string, std::string>> facts(const Results& results) {
                             : fmt::format("Embree {}, robust mode, packets of 16 rays, all cores", of.embree);
     return {{"date", of.date},
             {"version", fmt::format("dsphere {}, commit {}", of.version, of.commit)},
-            {"host", fmt::format("{}, {} cores", of.cpu, of.cores)},
+            {"host", fmt::format("{}, {} cores, load {:.1f} before the run", of.cpu, of.cores, of.load)},
             {"device", fmt::format("{} ({}); opened in {:.2f} s", of.device, of.driver, of.device_open_seconds)},
             {"meshes", peers},
             {"repeats", fmt::format("up to {} of each method, in turns, after one that warms it{}", results.repeats,

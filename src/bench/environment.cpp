@@ -5,6 +5,7 @@
 
 #include <fmt/chrono.h>
 
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <thread>
@@ -24,13 +25,19 @@ std::string cpuName() {
 
 }  // namespace
 
-Environment describeEnvironment(const gpu::Device& device, double device_open_seconds) {
+double systemLoad() {
+    double load = 0.0;
+    return getloadavg(&load, 1) == 1 ? load : 0.0;
+}
+
+Environment describeEnvironment(const gpu::Device& device, double device_open_seconds, double load) {
     Environment environment;
     environment.version = DSPHERE_VERSION;
     environment.commit = DSPHERE_COMMIT;
     environment.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
     environment.cpu = cpuName();
     environment.cores = int(std::thread::hardware_concurrency());
+    environment.load = load;
     environment.device = device.info().name;
     environment.driver = device.info().driver;
     environment.device_open_seconds = device_open_seconds;

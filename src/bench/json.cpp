@@ -78,6 +78,7 @@ void visitEnvironment(Visitor& visit, Of& of) {
     visit("date", of.date);
     visit("cpu", of.cpu);
     visit("cores", of.cores);
+    visit("load", of.load);
     visit("device", of.device);
     visit("driver", of.driver);
     visit("device_open_seconds", of.device_open_seconds);

@@ -51,6 +51,7 @@ struct Environment {
     std::string version, commit, date;  ///< date: UTC, ISO 8601
     std::string cpu;
     int cores = 0;
+    double load = 0.0;  ///< what else ran when it began: processes ready to run, the mean of a minute
     std::string device, driver;
     double device_open_seconds = 0.0;  ///< the driver's start-up
     std::string embree;                ///< version; empty without

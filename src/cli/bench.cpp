@@ -12,7 +12,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
+#include <thread>
 
 namespace dsphere::cli {
 
@@ -54,6 +56,7 @@ std::vector<bench::Source> sceneSources(const BenchOptions& options) {
         SceneOptions scene_options;
         scene_options.scene = name;
         scene_options.resolution = options.resolution;
+        scene_options.quick = options.quick;
         // Parsed before anything is measured: a mistake in the last scene must not cost the first one's time.
         Scene scene = loadScene(scene_options);
         sources.push_back({[scene] { return bench::sceneWorkload(scene); }, 1});
@@ -91,6 +94,7 @@ int runBench(const BenchOptions& options) {
     plan.methods = bench::chooseMethods(options.methods);
     if (options.quick) makeQuick(suite, plan, options);
     plan.repeats = options.repeats.value_or(plan.repeats);
+    plan.setups = std::min(plan.setups, plan.repeats);
     plan.samples = options.samples.value_or(plan.samples);
     std::vector<bench::Source> sources = chooseSources(suite, options);
     for (const std::string& path : {options.csv, options.json, options.html, options.markdown})
@@ -98,6 +102,9 @@ int runBench(const BenchOptions& options) {
     std::optional<bench::Results> before;
     if (!options.baseline.empty()) before = bench::readResults(options.baseline);
 
+    const double load = bench::systemLoad();
+    if (load > 0.5 * std::thread::hardware_concurrency() && !options.common.quiet)
+        fmt::print(stderr, "the machine is busy (load {:.1f}): speeds will be low and uneven\n", load);
     auto start = std::chrono::steady_clock::now();
     gpu::Device device = openDevice(options.common);
     std::chrono::duration<double> opening = std::chrono::steady_clock::now() - start;
@@ -107,7 +114,7 @@ int runBench(const BenchOptions& options) {
         results.views = bench::measure(device, sources, plan, [&](double share) { return line.update(share); });
     }
     checkValidation(device);
-    results.environment = bench::describeEnvironment(device, opening.count());
+    results.environment = bench::describeEnvironment(device, opening.count(), load);
     results.quick = options.quick;
     results.repeats = plan.repeats;
     results.samples = plan.samples;
@@ -152,7 +159,8 @@ void addSuiteOptions(CLI::App& command, BenchOptions& options) {
     command.add_option("--sample", options.samples, "Pixels a view to hold against the reference; default: 4000")
         ->check(CLI::Range(1, 1 << 30))
         ->type_name("N");
-    command.add_flag("--quick", options.quick, "Small maps, few pixels, few repeats: under a minute");
+    command.add_flag("--quick", options.quick,
+                     "Small maps, few pixels (of a scene: a quarter each way), few repeats: under a minute");
 }
 
 }  // namespace

@@ -119,9 +119,10 @@ TEST_F(MeasureTest, AMovedCameraSeesWhatAFreshOneDoes) {
 }
 
 TEST_F(MeasureTest, TheEnvironmentIsDescribed) {
-    Environment environment = describeEnvironment(device_, 0.5);
+    Environment environment = describeEnvironment(device_, 0.5, systemLoad());
     EXPECT_EQ(environment.device, device_.info().name);
     EXPECT_GT(environment.cores, 0);
+    EXPECT_GE(environment.load, 0.0);
     for (const std::string& text :
          {environment.version, environment.commit, environment.date, environment.cpu, environment.driver})
         EXPECT_FALSE(text.empty());

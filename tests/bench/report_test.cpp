@@ -120,7 +120,7 @@ TEST(Html, IsWellFormedAndAlone) {
 
 TEST(Html, SaysWhatWasMeasuredWhere) {
     std::string page = html(exampleResults());
-    for (const char* part : {"A &quot;CPU&quot; &amp; more, 2 cores", "commit abc&lt;def", "device (driver)",
+    for (const char* part : {"A &quot;CPU&quot; &amp; more, 2 cores, load 1.5", "commit abc&lt;def", "device (driver)",
                              "2026-01-02T03:04:05Z", "without Embree", "needs some 7.5 GB", "prefers-color-scheme:dark",
                              "smooth sphere 50.0", "units of the radius R"})
         EXPECT_NE(page.find(part), std::string::npos) << part;
