@@ -20,8 +20,8 @@ constexpr const char* kPageStyle =
     ".pair figure{flex:1 1 480px}"
     "dl{display:grid;grid-template-columns:max-content 1fr;gap:2px 16px;margin:12px 0}"
     "dt{color:var(--faint)}dd{margin:0}"
-    ".scroll{overflow-x:auto}table{border-collapse:collapse;font-size:12.5px;font-variant-numeric:tabular-nums}"
-    "th,td{padding:3px 9px;text-align:right;white-space:nowrap;border-bottom:1px solid var(--grid)}"
+    ".scroll{overflow-x:auto}table{border-collapse:collapse;font-size:11.5px;font-variant-numeric:tabular-nums}"
+    "th,td{padding:3px 6px;text-align:right;white-space:nowrap;border-bottom:1px solid var(--grid)}"
     "th{font-weight:600;vertical-align:bottom;white-space:normal}"
     "th:first-child,td:first-child{text-align:left}summary{cursor:pointer;margin:8px 0}\n";
 

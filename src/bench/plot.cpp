@@ -30,7 +30,8 @@ class Labels {
             }
     }
 
-    void place(Svg& svg, dvec2 at, const std::string& label) {
+    /// Whether there was room.
+    bool place(Svg& svg, dvec2 at, const std::string& label) {
         double width = textWidth(label), reach = 8.0;
         const Extent tries[] = {{at.x + reach, at.y - 6.0, at.x + reach + width, at.y + 6.0},
                                 {at.x - reach - width, at.y - 6.0, at.x - reach, at.y + 6.0},
@@ -41,8 +42,9 @@ class Labels {
             if (clash || !extent.within(frame_)) continue;
             svg.text({extent.x0, extent.y1 - 3.0}, Anchor::Start, "small faint", escapeXml(label));
             block(extent);
-            return;
+            return true;
         }
+        return false;
     }
 
   private:
@@ -98,7 +100,9 @@ void drawPanel(Svg& svg, const Panel& panel, const Extent& frame, const LogScale
         labels.blockLine(line);
         if (line.size() > 1) svg.polyline(line, fmt::format("l{}", series.style));
     }
-    if (panel.floor > 0.0) labels.place(svg, {frame.x0 - 4.0, y.at(panel.floor) - 9.0}, panel.floor_label);
+    if (double at = y.at(panel.floor);
+        panel.floor > 0.0 && !labels.place(svg, {frame.x0 - 4.0, at - 9.0}, panel.floor_label))
+        labels.place(svg, {frame.x0 - 4.0, at + 9.0}, panel.floor_label);
     for (const PlotSeries& series : panel.series)
         for (const PlotPoint& point : series.points) {
             dvec2 at(x.at(point.x), y.at(point.y));

@@ -37,7 +37,7 @@ MethodResult method(const std::string& name, const std::string& family, double r
 
 Results exampleResults() {
     Results results;
-    results.environment = {"1.2.3", "abc<def", "2026-01-02T03:04:05Z", "A \"CPU\" & more", 2, "device", "driver",
+    results.environment = {"1.2.3", "abc<def", "2026-01-02T03:04:05Z", "A \"CPU\" & more", 2, 1.5, "device", "driver",
                            0.25,    ""};
     results.repeats = 5;
     results.samples = 100;
