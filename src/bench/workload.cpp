@@ -23,6 +23,10 @@ double spanPercent(const DisplacedSphere& sphere, const Relief& relief) {
     return 100.0 * (relief.greatest_radius - relief.least_radius) / sphere.radius;
 }
 
+bool isPlanet(const Shape& shape) {
+    return std::holds_alternative<DisplacedSphere>(shape.geometry);
+}
+
 }  // namespace
 
 RawMap suiteMap(int width) {
@@ -59,11 +63,13 @@ Workload suiteWorkload(RawMap map, double percent) {
     return workload;
 }
 
+void requirePlanet(const Scene& scene) {
+    if (std::ranges::none_of(scene.shapes, isPlanet)) throwInvalid("{}: bench needs a displacedsphere", scene.name);
+}
+
 Workload sceneWorkload(Scene scene) {
-    auto isPlanet = [](const Shape& shape) { return std::holds_alternative<DisplacedSphere>(shape.geometry); };
-    auto planet = std::ranges::find_if(scene.shapes, isPlanet);
-    if (planet == scene.shapes.end()) throwInvalid("{}: bench needs a displacedsphere", scene.name);
-    scene.shapes = {Shape(*planet)};
+    requirePlanet(scene);
+    scene.shapes = {Shape(*std::ranges::find_if(scene.shapes, isPlanet))};
     auto distant = std::ranges::find_if(scene.lights,
                                         [](const Light& light) { return std::holds_alternative<DistantLight>(light); });
     scene.lights = {distant == scene.lights.end() ? sun() : Light(*distant)};

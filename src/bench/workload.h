@@ -28,6 +28,9 @@ RawMap suiteMap(int width);
 /// A planet of radius 1 with that map and displacement in percent.
 Workload suiteWorkload(RawMap map, double percent);
 
+/// Error (InvalidInput) if the scene has no displaced sphere.
+void requirePlanet(const Scene& scene);
+
 /// The first displaced sphere of a scene from its own camera, lit by its first distant light, else by kSun. Error
 /// (InvalidInput) without one; errors of loadSceneMaps.
 Workload sceneWorkload(Scene scene);

@@ -59,6 +59,7 @@ std::vector<bench::Source> sceneSources(const BenchOptions& options) {
         scene_options.quick = options.quick;
         // Parsed before anything is measured: a mistake in the last scene must not cost the first one's time.
         Scene scene = loadScene(scene_options);
+        bench::requirePlanet(scene);
         sources.push_back({[scene] { return bench::sceneWorkload(scene); }, 1});
     }
     return sources;
@@ -134,30 +135,34 @@ void addSuiteOptions(CLI::App& command, BenchOptions& options) {
         ->type_name("SCENE");
     command.add_option("--maps", options.maps, "Widths of the suite's fractal maps; default: 1024,4096,8192")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->type_name("W,...");
     command.add_option("--displacements", options.displacements, "Their displacements in percent; default: 5,15,50")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->type_name("P,...");
     command.add_option("--views", options.views, "Their views, separated by commas; default: all")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->type_name("whole|limb|horizon");
     command
         .add_option("--methods", options.methods,
                     "Families of methods, or single ones (\"naive 3e-6\", \"grid 1/2\"), separated by commas; default: "
                     "all. Meshes (grid, triangles) need a build with Embree")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->type_name("exact|naive|lipschitz|smooth|grid|triangles");
     command.add_option("--resolution", options.resolution, "Pixels; default: 1280,720, or the scene's film")
         ->type_size(2)
         ->expected(1)
         ->delimiter(',')
-        ->check(CLI::Range(1, 65536))
+        ->check(CLI::Range(1, 65536).description(""))
         ->type_name("W,H");
     command.add_option("--repeats", options.repeats, "Timed runs of each method; default: 7")
-        ->check(CLI::Range(1, 1000))
+        ->check(CLI::Range(1, 1000).description(""))
         ->type_name("N");
     command.add_option("--sample", options.samples, "Pixels a view to hold against the reference; default: 4000")
-        ->check(CLI::Range(1, 1 << 30))
+        ->check(CLI::Range(1, 1 << 30).description(""))
         ->type_name("N");
     command.add_flag("--quick", options.quick,
                      "Small maps, few pixels (of a scene: a quarter each way), few repeats: under a minute");
