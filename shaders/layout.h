@@ -33,15 +33,18 @@ using uint = std::uint32_t;
 #define SPEC_MARCHER 0
 #define SPEC_OBJECT_COUNT 1
 #define SPEC_LIGHT_COUNT 2
-#define SPEC_KINDS 3   // bit per KIND_ that the scene holds
-#define SPEC_PLANES 4  // bit per PLANE_ that the film holds
-#define SPEC_PRECISION 5
-#define SPEC_IMAGES 6  // 1 if an object has a colour image
-#define SPEC_COUNT 7
+#define SPEC_KINDS 3      // bit per KIND_ that the scene holds
+#define SPEC_PLANES 4     // bit per PLANE_ that the film holds
+#define SPEC_PRECISION 5  // PRECISION_
+#define SPEC_IMAGES 6     // 1 if an object has a colour image
+#define SPEC_THRESHOLD 7  // float; naive, lipschitz: a hit where |p| - r falls under it, units of R
+#define SPEC_STRIDE 8     // float; lipschitz: the share of |p| - r that no step exceeds
+#define SPEC_COUNT 9
 
 #define MARCHER_EXACT 0
 #define MARCHER_NAIVE 1        // the seed's: from the camera
 #define MARCHER_NAIVE_SHELL 2  // the same, started at the shell
+#define MARCHER_LIPSCHITZ 3    // sphere tracing with a proven bound of the slope
 
 // Of the exact marcher. FILTER decides in single floats what rounding cannot change, and lists the pixels where it
 // could: they are done again with FULL, 48 bits. BOTH does that at once, ray by ray.

@@ -159,7 +159,7 @@ ObjectHit hitObject(ObjectData object, MapData map, Ray ray) {
     ObjectHit hit = noHit();
     if (sceneHas(KIND_DISPLACED) && object.kind == KIND_DISPLACED) {
         if (kMarcher == MARCHER_EXACT) hit = hitDisplaced(object, map, ray);
-        if (kMarcher != MARCHER_EXACT) hit = hitNaive(object, map, ray);
+        if (kMarcher != MARCHER_EXACT) hit = hitBaseline(object, map, ray);
     }
     if (sceneHas(KIND_SPHERE) && object.kind == KIND_SPHERE) hit = hitUnitSphere(ray);
     if (sceneHas(KIND_DISK) && object.kind == KIND_DISK) hit = hitRing(object, ray);
@@ -179,7 +179,7 @@ bool blocks(ObjectData object, MapData map, Ray ray, INOUT(bool) doubtful) {
     bool blocked = false;
     if (sceneHas(KIND_DISPLACED) && object.kind == KIND_DISPLACED) {
         if (kMarcher == MARCHER_EXACT) blocked = displacedBlocks(object, map, ray, doubtful);
-        if (kMarcher != MARCHER_EXACT) blocked = hitNaive(object, map, ray).hit;
+        if (kMarcher != MARCHER_EXACT) blocked = hitBaseline(object, map, ray).hit;
     }
     if (sceneHas(KIND_SPHERE) && object.kind == KIND_SPHERE) blocked = hitUnitSphere(ray).hit;
     if (sceneHas(KIND_DISK) && object.kind == KIND_DISK) blocked = hitRing(object, ray).hit;

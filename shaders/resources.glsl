@@ -11,6 +11,8 @@ layout(constant_id = SPEC_KINDS) const int kKinds = 1;
 layout(constant_id = SPEC_PLANES) const uint kPlanes = 0u;
 layout(constant_id = SPEC_PRECISION) const int kPrecision = PRECISION_FULL;
 layout(constant_id = SPEC_IMAGES) const int kImages = 0;
+layout(constant_id = SPEC_THRESHOLD) const float kThreshold = 3e-6;
+layout(constant_id = SPEC_STRIDE) const float kStride = 1.0;
 
 layout(std140, binding = BINDING_OBJECTS) uniform Objects { ObjectData objects[MAX_OBJECTS]; };
 layout(std140, binding = BINDING_MAPS) uniform Maps { MapData maps[MAX_OBJECTS]; };

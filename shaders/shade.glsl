@@ -43,7 +43,7 @@ void considerObject(inout SurfacePoint best, int k, vec2 raster, vec2 jitter) {
         best.position = worldFromObjectPoint(object, hit.p);
         best.normal = worldNormal(object, hit.n);
         best.object_position = hit.p;
-        best.start = hit.p + object.offset * hit.n;
+        best.start = hit.p + startOffset(object) * hit.n;
         best.albedo = object.albedo.rgb;
         best.h = object.ramp_offset + object.ramp_scale * hit.stored;
         best.ramp = object.ramp;

@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
     Action action;
     addRender(app, action);
     addVerify(app, action);
+    addBench(app, action);
     addDiff(app, action);
     addInfo(app, action);
     addGenerate(app, action);

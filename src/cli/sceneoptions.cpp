@@ -88,8 +88,11 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
         ->delimiter(',')
         ->type_name("X0,X1,Y0,Y1");
     addChoice<Marcher>(command, "--marcher", options.marcher,
-                       {{"exact", Marcher::Exact}, {"naive", Marcher::Naive}, {"naive-shell", Marcher::NaiveShell}},
-                       "How to find hits: exact (the default), or a baseline", "exact|naive|naive-shell");
+                       {{"exact", Marcher::Exact},
+                        {"naive", Marcher::Naive},
+                        {"naive-shell", Marcher::NaiveShell},
+                        {"lipschitz", Marcher::Lipschitz}},
+                       "How to find hits: exact (the default), or a baseline", "exact|naive|naive-shell|lipschitz");
     command.add_option("--exaggeration", options.exaggeration, "Multiply all displacements")->type_name("X");
     command
         .add_option("--lookat-latlon", options.latlon,

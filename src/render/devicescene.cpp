@@ -180,6 +180,10 @@ DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, const L
         map_bytes_ += std::uint64_t(image->width()) * image->height() * image->layers() * texelBytes(image->format());
 }
 
+void DeviceScene::updateObjects(const PackedScene& packed) {
+    objects_.upload(0, packed.objects.size() * sizeof(packed.objects[0]), packed.objects.data());
+}
+
 std::vector<gpu::Resource> DeviceScene::resources() const {
     return {&objects_, &maps_, &lights_, &ramps_, &heights_, &bounds_, &edges_, &images_};
 }

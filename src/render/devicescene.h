@@ -19,6 +19,9 @@ class DeviceScene {
     /// Uploads. Error (InvalidInput) when a map is larger than the device's images; Error (Failure) out of memory.
     DeviceScene(gpu::Device& device, const PackedScene& packed);
 
+    /// Uploads the objects again: after packCamera.
+    void updateObjects(const PackedScene& packed);
+
     /// Bindings BINDING_OBJECTS to BINDING_IMAGES, in order.
     std::vector<gpu::Resource> resources() const;
     /// Bytes on the device: heights, bounds and edge tables.

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "gpu/pipeline.h"
-#include "render/renderer.h"
+#include "render/method.h"
+#include "render/pack.h"
 
 #include <span>
 
@@ -16,7 +17,7 @@ enum class Precision { Filter, Full, Both };
 /// DeviceScene::resources(), then the film and the list of pixels to retry (Render) or the buffers of rays and hits
 /// (Probe).
 gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const PackedScene& packed,
-                                       std::span<const std::uint32_t> spirv, Shader shader, Marcher marcher,
+                                       std::span<const std::uint32_t> spirv, Shader shader, const MarchMethod& method,
                                        Precision precision, std::uint32_t planes);
 
 }  // namespace dsphere

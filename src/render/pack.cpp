@@ -34,6 +34,10 @@ dvec3 centreOf(const Shape& shape) {
     return transformPoint(shape.world_from_object, dvec3(0.0));
 }
 
+Frame frameOf(const Shape& shape, double unit) {
+    return {shape.world_from_object, glm::inverse(shape.world_from_object), unit};
+}
+
 /// A vector as the shader keeps it twice as long: row + row_lo, whose sum has 48 bits.
 void splitInto(vec4& row, vec4& row_lo, const dvec3& v) {
     row = narrow(v, 0.0);
@@ -172,6 +176,12 @@ layout::LightData packLight(const Light& light) {
 
 }  // namespace
 
+void packCamera(PackedScene& packed, const Scene& scene) {
+    Raster raster = makeRaster(scene.camera, scene.film);
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+        packCameraRays(packed.objects[i], frameOf(scene.shapes[i], packed.units[i]), raster);
+}
+
 PackedScene packScene(const Scene& scene, const SceneMaps& maps) {
     if (scene.shapes.size() > std::size_t(MAX_OBJECTS))
         throwInvalid("{}: {} shapes; at most {} are supported", scene.name, scene.shapes.size(), MAX_OBJECTS);
@@ -182,20 +192,18 @@ PackedScene packScene(const Scene& scene, const SceneMaps& maps) {
                      scene.name, scene.shapes.size(), scene.lights.size(), MAX_MARCHES);
     PackedScene packed;
     for (const auto& map : maps.maps) packed.nodes.push_back(std::make_unique<NodeGrid>(*map));
-    Raster raster = makeRaster(scene.camera, scene.film);
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         const Shape& shape = scene.shapes[i];
         ObjectData object = {};
-        double unit = packGeometry(object, packed, shape, maps.map_of_shape[i], maps.reliefs[i]);
-        Frame frame{shape.world_from_object, glm::inverse(shape.world_from_object), unit};
-        packCameraRays(object, frame, raster);
-        packTransforms(object, frame);
+        packed.units.push_back(packGeometry(object, packed, shape, maps.map_of_shape[i], maps.reliefs[i]));
+        packTransforms(object, frameOf(shape, packed.units.back()));
         object.from_first = narrow(centreOf(shape) - centreOf(scene.shapes[0]), 0.0);
         packMaterial(object, shape, maps.reliefs[i]);
         packed.kinds |= 1u << object.kind;
         packed.objects.push_back(object);
     }
     packImages(packed, scene, maps);
+    packCamera(packed, scene);
     for (const Light& light : scene.lights) packed.lights.push_back(packLight(light));
     for (const Ramp& ramp : ramps())
         for (const dvec3& point : ramp.points) packed.ramp_points.push_back(narrow(point, 1.0));

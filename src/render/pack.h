@@ -22,6 +22,7 @@ struct PackedRelief {
 
 struct PackedScene {
     std::vector<layout::ObjectData> objects;  ///< one a shape, in order
+    std::vector<double> units;                ///< of each, the object-space length that is 1 on the device
     std::vector<int> relief_of_object;        ///< index in `reliefs`, -1: none
     std::vector<layout::LightData> lights;
     std::vector<std::unique_ptr<NodeGrid>> nodes;  ///< one a map of SceneMaps, which they refer to
@@ -35,5 +36,8 @@ struct PackedScene {
 
 /// Error (InvalidInput) with more than MAX_OBJECTS shapes, MAX_LIGHTS lights, or MAX_MARCHES rays a pixel.
 PackedScene packScene(const Scene& scene, const SceneMaps& maps);
+
+/// Gives a packed scene the camera and film of `scene`, which has changed in nothing else.
+void packCamera(PackedScene& packed, const Scene& scene);
 
 }  // namespace dsphere

@@ -27,23 +27,28 @@ std::vector<gpu::Resource> bindAll(const DeviceScene& scene, const gpu::StorageI
 
 }  // namespace
 
-Pass::Pass(gpu::Device& device, const PackedScene& packed, const DeviceScene& device_scene,
-           const gpu::StorageImage& film, Marcher marcher, std::uint32_t mask)
-    : device_(device),
-      packed_(packed),
-      marcher_(marcher),
-      mask_(mask),
+PassPipelines::PassPipelines(gpu::Device& device, const PackedScene& packed, const MarchMethod& method,
+                             std::uint32_t mask)
+    : device_(&device), packed_(&packed), method_(method), mask_(mask), filter_(make(Precision::Filter)) {}
+
+gpu::ComputePipeline PassPipelines::make(Precision precision) const {
+    return makeMarchPipeline(*device_, *packed_, kSpirv_render, Shader::Render, method_, precision, mask_);
+}
+
+const gpu::ComputePipeline& PassPipelines::full() {
+    if (!full_) full_ = make(Precision::Full);
+    return *full_;
+}
+
+Pass::Pass(gpu::Device& device, PassPipelines& pipelines, const DeviceScene& device_scene,
+           const gpu::StorageImage& film)
+    : pipelines_(pipelines),
       retry_list_(device, gpu::Buffer::Usage::Storage, gpu::Buffer::Place::Device, listBytes(film), "retry list"),
-      filter_(makePipeline(Precision::Filter)),
-      set_(device, filter_, bindAll(device_scene, film, retry_list_), "render"),
+      set_(device, pipelines.filter(), bindAll(device_scene, film, retry_list_), "render"),
       batch_(device, "render") {
     layout::RetryHead none = {};
     retry_list_.upload(0, sizeof(none), &none);
-    warmUp(filter_);
-}
-
-gpu::ComputePipeline Pass::makePipeline(Precision precision) const {
-    return makeMarchPipeline(device_, packed_, kSpirv_render, Shader::Render, marcher_, precision, mask_);
+    warmUp(pipelines.filter());
 }
 
 // Drivers compile at the first dispatch: one without pixels pays for it, outside of the timing.
@@ -56,7 +61,7 @@ void Pass::warmUp(const gpu::ComputePipeline& pipeline) {
 
 double Pass::run(std::span<const layout::RenderParams> tiles) {
     if (tiles.empty()) return 0.0;
-    batch_.bind(filter_, set_);
+    batch_.bind(pipelines_.filter(), set_);
     for (const layout::RenderParams& tile : tiles) {
         batch_.push(tile);
         batch_.dispatch(groups(tile.tile_x1 - tile.tile_x, GROUP_SIZE_X),
@@ -66,18 +71,21 @@ double Pass::run(std::span<const layout::RenderParams> tiles) {
     return seconds + retry(tiles.front());
 }
 
+// On an empty list, which is put back afterwards.
+void Pass::warmUpFull(const layout::RetryHead& head) {
+    layout::RetryHead none = {};
+    retry_list_.upload(0, sizeof(none), &none);
+    warmUp(pipelines_.full());
+    retry_list_.upload(0, sizeof(head), &head);
+}
+
 double Pass::retry(layout::RenderParams params) {
     layout::RetryHead head;
     retry_list_.download(0, sizeof(head), &head);
     if (head.count == 0) return 0.0;
     retried_ += head.count;
-    if (!full_) {
-        layout::RetryHead none = {};
-        retry_list_.upload(0, sizeof(none), &none);
-        warmUp(full_.emplace(makePipeline(Precision::Full)));
-        retry_list_.upload(0, sizeof(head), &head);
-    }
-    batch_.bind(*full_, set_);
+    if (!pipelines_.hasFull()) warmUpFull(head);
+    batch_.bind(pipelines_.full(), set_);
     batch_.push(params);
     batch_.dispatch(groups(int(head.count), GROUP_SIZE_X * GROUP_SIZE_Y), 1, 1);
     double seconds = batch_.submit();

@@ -11,16 +11,36 @@
 
 namespace dsphere {
 
-/// The two pipelines that fill a film: PRECISION_FILTER on tiles, then PRECISION_FULL on the pixels that it left.
+/// The pipelines that fill a film with the planes of one mask: PRECISION_FILTER, and PRECISION_FULL for the pixels that
+/// it leaves. The second is made when a pixel needs it.
+class PassPipelines {
+  public:
+    /// The packed scene must outlive the pipelines.
+    PassPipelines(gpu::Device& device, const PackedScene& packed, const MarchMethod& method, std::uint32_t mask);
+
+    const gpu::ComputePipeline& filter() const { return filter_; }
+    bool hasFull() const { return full_.has_value(); }
+    const gpu::ComputePipeline& full();
+
+  private:
+    gpu::ComputePipeline make(Precision precision) const;
+
+    gpu::Device* device_;
+    const PackedScene* packed_;
+    MarchMethod method_;
+    std::uint32_t mask_;
+    gpu::ComputePipeline filter_;
+    std::optional<gpu::ComputePipeline> full_;
+};
+
+/// One film, filled in two steps: tiles by the one pipeline, then the pixels that it left by the other.
 class Pass {
   public:
     /// Film pixels that one run() can take.
     static constexpr std::uint64_t kMostPixels = 1u << 20;
 
-    /// Compiles and warms up the first pipeline; the second one follows when a pixel needs it. The scene, the film and
-    /// all else must outlive the pass. `mask`: the film's planes.
-    Pass(gpu::Device& device, const PackedScene& packed, const DeviceScene& device_scene, const gpu::StorageImage& film,
-         Marcher marcher, std::uint32_t mask);
+    /// Warms the pipeline up. All that is given must outlive the pass.
+    Pass(gpu::Device& device, PassPipelines& pipelines, const DeviceScene& device_scene, const gpu::StorageImage& film);
 
     /// Renders the tiles, one RenderParams each, of at most kMostPixels together; returns the device's seconds.
     double run(std::span<const layout::RenderParams> tiles);
@@ -28,17 +48,12 @@ class Pass {
     std::uint64_t retried() const { return retried_; }
 
   private:
-    gpu::ComputePipeline makePipeline(Precision precision) const;
     void warmUp(const gpu::ComputePipeline& pipeline);
+    void warmUpFull(const layout::RetryHead& head);
     double retry(layout::RenderParams params);
 
-    gpu::Device& device_;
-    const PackedScene& packed_;
-    Marcher marcher_;
-    std::uint32_t mask_;
+    PassPipelines& pipelines_;
     gpu::Buffer retry_list_;  ///< RetryHead, then pixels
-    gpu::ComputePipeline filter_;
-    std::optional<gpu::ComputePipeline> full_;
     gpu::BindingSet set_;
     gpu::Batch batch_;
     std::uint64_t retried_ = 0;

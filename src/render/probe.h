@@ -16,7 +16,7 @@ struct ProbeQuery {
 /// Traces a list of rays against the scene's first shape on the device.
 class Probe {
   public:
-    Probe(gpu::Device& device, const PackedScene& packed, Marcher marcher);
+    Probe(gpu::Device& device, const PackedScene& packed, const MarchMethod& method);
 
     std::vector<layout::ProbeHit> trace(const std::vector<ProbeQuery>& queries);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <chrono>
 #include <cstring>
 #include <limits>
 
@@ -62,15 +63,23 @@ struct Renderer::Film {
     }
 };
 
-Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Scene& scene, Marcher marcher)
+Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Scene& scene, const MarchMethod& method)
     : device_(device),
       packed_(packed),
       device_scene_(device, packed),
-      marcher_(marcher),
+      method_(method),
       crop_(cropBox(scene.film)),
       display_{0, 0, scene.film.width, scene.film.height},
       spans_(objectSpans(packed.objects, crop_)),
       tiles_(makeTiles(spans_)) {}
+
+void Renderer::setCamera(const Scene& scene) {
+    device_scene_.updateObjects(packed_);
+    crop_ = cropBox(scene.film);
+    display_ = {0, 0, scene.film.width, scene.film.height};
+    spans_ = objectSpans(packed_.objects, crop_);
+    tiles_ = makeTiles(spans_);
+}
 
 // Rounds of tiles: as many a round as fit the time target and the pass.
 void Renderer::runTiles(Pass& pass, int sample, std::uint32_t seed, const Progress& progress) {
@@ -82,8 +91,10 @@ void Renderer::runTiles(Pass& pass, int sample, std::uint32_t seed, const Progre
         pixels += std::uint64_t(box.width()) * std::uint64_t(box.height());
         bool last = tile + 1 == tiles_.size();
         if (!last && round.size() < tiles_at_once_ && pixels + kTileRows * kTileColumns <= Pass::kMostPixels) continue;
+        const auto started = std::chrono::steady_clock::now();
         double seconds = pass.run(round);
         stats_.device_seconds += seconds;
+        stats_.wall_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
         if (seconds < 0.5 * kSubmitTarget) tiles_at_once_ = std::min(2 * tiles_at_once_, tiles_.size());
         if (seconds > 2.0 * kSubmitTarget) tiles_at_once_ = std::max<std::size_t>(1, tiles_at_once_ / 2);
         round.clear();
@@ -94,9 +105,16 @@ void Renderer::runTiles(Pass& pass, int sample, std::uint32_t seed, const Progre
     stats_.camera_rays += crop_.width() * std::uint64_t(crop_.height());
 }
 
+PassPipelines& Renderer::pipelinesFor(std::uint32_t mask) {
+    auto found = pipelines_.find({method_, mask});
+    if (found == pipelines_.end())
+        found = pipelines_.emplace(std::pair(method_, mask), PassPipelines(device_, packed_, method_, mask)).first;
+    return found->second;
+}
+
 Image Renderer::render(std::uint32_t mask, int samples, std::uint32_t seed, const Progress& progress) {
     Film film(device_, crop_, mask);
-    Pass pass(device_, packed_, device_scene_, film.image, marcher_, mask);
+    Pass pass(device_, pipelinesFor(mask), device_scene_, film.image);
     tiles_at_once_ = 1;
     // No samples: the pixels' centres, which are sample -1.
     int first = samples == 0 ? -1 : 0, count = std::max(samples, 1);

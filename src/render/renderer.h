@@ -2,19 +2,20 @@
 
 #include "base/image.h"
 #include "render/devicescene.h"
+#include "render/pass.h"
 #include "render/planes.h"
 #include "render/spans.h"
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <utility>
 
 namespace dsphere {
 
-/// Order as MARCHER_ of layout.h.
-enum class Marcher { Exact, Naive, NaiveShell };
-
 struct RenderStats {
     double device_seconds = 0.0;  ///< of all dispatches, pipelines warm
+    double wall_seconds = 0.0;    ///< of the same on the host's clock, submissions and waits included
     std::uint64_t camera_rays = 0;
     std::uint64_t retried_pixels = 0;  ///< samples of pixels that single floats could not decide
 };
@@ -22,12 +23,15 @@ struct RenderStats {
 /// Called with the share of the work that is done, 0 to 1; false stops the render.
 using Progress = std::function<bool(double)>;
 
-class Pass;
-
 /// Renders one scene on one device. The packed scene and device must outlive it.
 class Renderer {
   public:
-    Renderer(gpu::Device& device, const PackedScene& packed, const Scene& scene, Marcher marcher);
+    Renderer(gpu::Device& device, const PackedScene& packed, const Scene& scene, const MarchMethod& method);
+
+    /// Takes the camera and film of `scene`; packCamera has given them to the packed scene before.
+    void setCamera(const Scene& scene);
+    /// For the renders that follow. Pipelines of methods used before are kept.
+    void setMethod(const MarchMethod& method) { method_ = method; }
 
     /// R, G, B: the mean of `samples` jittered samples a pixel (1 to 65536). Error (Interrupted) when stopped.
     Image renderColour(int samples, std::uint32_t seed, const Progress& progress);
@@ -43,12 +47,14 @@ class Renderer {
 
     Image render(std::uint32_t mask, int samples, std::uint32_t seed, const Progress& progress);
     void runTiles(Pass& pass, int sample, std::uint32_t seed, const Progress& progress);
+    PassPipelines& pipelinesFor(std::uint32_t mask);
     void fillMisses(Image& image) const;
 
     gpu::Device& device_;
     const PackedScene& packed_;
     DeviceScene device_scene_;
-    Marcher marcher_;
+    MarchMethod method_;
+    std::map<std::pair<MarchMethod, std::uint32_t>, PassPipelines> pipelines_;  ///< by method and planes
     Box crop_, display_;
     std::vector<Span> spans_;  ///< one a row of the crop
     std::vector<Box> tiles_;   ///< what is dispatched, in film pixels

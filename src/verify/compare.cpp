@@ -51,8 +51,9 @@ std::string describe(const Answer& answer, const WorldHit& truth) {
 
 }  // namespace
 
-Comparison::Comparison(const Scene& scene, const SceneMaps& maps)
+Comparison::Comparison(const Scene& scene, const SceneMaps& maps, Tolerance tolerance)
     : scene_(scene),
+      tolerance_(tolerance),
       units_(unitsOf(scene, maps)),
       tracer_(scene, maps.perShape(), maps.reliefs, maps.imagePerShape()) {}
 
@@ -62,10 +63,14 @@ dvec3 Comparison::objectNormal(int shape, const dvec3& object_position) const {
     return disk ? dvec3(0.0, 0.0, 1.0) : glm::normalize(object_position);
 }
 
-double Comparison::alongRayBound(const WorldRay& ray, const WorldHit& hit, double t) const {
+// A hit at a distance of delta from the surface stands some delta / |cos| before or behind its root; 4 allows for the
+// surface's bend in between.
+double Comparison::alongRayBound(const WorldRay& ray, const Answer& answer, const WorldHit& hit) const {
+    double off = contract::kAlongRay;
+    if (tolerance_ == Tolerance::Approximate && !answer.inside) off = std::max(off, 4.0 * surfaceDistance(answer));
     dvec3 d = transformVector(tracer_.objectFromWorld(hit.shape), ray.direction);
     double across = std::abs(glm::dot(objectNormal(hit.shape, hit.object_position), d));
-    return contract::kAlongRay * unit(hit.shape) / std::max(across, 1e-300) + 2.0 * floatUlp(t);
+    return off * unit(hit.shape) / std::max(across, 1e-300) + 2.0 * floatUlp(answer.t);
 }
 
 Comparison::Judgement Comparison::judge(const WorldRay& ray, const Answer& answer, const WorldHit& truth,
@@ -76,7 +81,7 @@ Comparison::Judgement Comparison::judge(const WorldRay& ray, const Answer& answe
         return Judgement::WrongVerdict;
     if (answer.inside && answer.t == truth.t()) return Judgement::Right;  // the start itself; it may have no normal
     double error = answer.t - truth.t();
-    share = std::abs(error) / alongRayBound(ray, truth, answer.t);
+    share = std::abs(error) / alongRayBound(ray, answer, truth);
     if (share <= 1.0) return Judgement::Right;
     if (share <= 10.0) return Judgement::AlongRay;
     return error > 0.0 ? Judgement::LaterRoot : Judgement::WrongVerdict;
@@ -142,7 +147,7 @@ void Comparison::checkHit(Report& report, std::uint64_t index, const WorldRay& r
     if (answer.hit && !answer.inside) checkSurface(report, ray, answer);
 }
 
-void Comparison::checkSurface(Report& report, const WorldRay& ray, const Answer& answer) const {
+double Comparison::surfaceDistance(const Answer& answer) const {
     const dvec3& p = answer.object_position;
     double distance = 0.0;
     if (const reference::Surface* surface = tracer_.surface(answer.shape)) {
@@ -152,7 +157,12 @@ void Comparison::checkSurface(Report& report, const WorldRay& ray, const Answer&
     } else {
         distance = std::abs(glm::length(p) - unit(answer.shape));
     }
-    report.distances.push_back(float(distance / unit(answer.shape)));
+    return distance / unit(answer.shape);
+}
+
+void Comparison::checkSurface(Report& report, const WorldRay& ray, const Answer& answer) const {
+    const dvec3& p = answer.object_position;
+    report.distances.push_back(float(surfaceDistance(answer)));
 
     dvec3 n = transformNormal(tracer_.objectFromWorld(answer.shape), objectNormal(answer.shape, p));
     bool disk = std::holds_alternative<Disk>(scene_.shapes[std::size_t(answer.shape)].geometry);

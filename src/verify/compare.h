@@ -29,13 +29,21 @@ struct WorldRay {
 /// Holds a device's answers against the reference, one ray at a time. Thread-safe; reports go to the caller's.
 class Comparison {
   public:
+    /// Whether the contract holds, or what a method that approximates is worth: then a hit that lies off the surface
+    /// may be as far off along the ray as that explains, and only another root is a fault.
+    enum class Tolerance { Contract, Approximate };
+
     /// Scene and maps must outlive it.
-    Comparison(const Scene& scene, const SceneMaps& maps);
+    Comparison(const Scene& scene, const SceneMaps& maps, Tolerance tolerance = Tolerance::Contract);
 
     /// Verdict, root, distance to the surface and normal of one ray.
     void checkHit(Report& report, std::uint64_t index, const WorldRay& ray, const Answer& answer) const;
     /// Shadow verdicts, then the colour at the device's own P, N and verdicts.
     void checkLight(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light) const;
+
+    /// The verdict on light `k` alone.
+    void checkShadow(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light,
+                     std::size_t k) const;
 
     /// The greatest radius R of a shape, object units: the length that is 1 on the device.
     double unit(int shape) const { return units_[std::size_t(shape)]; }
@@ -45,20 +53,20 @@ class Comparison {
     enum class Judgement { Right, WrongVerdict, LaterRoot, AlongRay };
 
     dvec3 objectNormal(int shape, const dvec3& object_position) const;
-    double alongRayBound(const WorldRay& ray, const reference::WorldHit& hit, double t) const;
+    double alongRayBound(const WorldRay& ray, const Answer& answer, const reference::WorldHit& hit) const;
+    double surfaceDistance(const Answer& answer) const;  ///< units of R
     Judgement judge(const WorldRay& ray, const Answer& answer, const reference::WorldHit& truth, double& share) const;
     /// World offsets that move a ray sideways by at most 1e-6 R of the shape.
     std::vector<dvec3> sidewaysOffsets(int shape, const reference::Ray& object_ray) const;
     bool tangent(const WorldRay& ray, const Answer& answer, int true_shape) const;
     void checkSurface(Report& report, const WorldRay& ray, const Answer& answer) const;
-    void checkShadow(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light,
-                     std::size_t k) const;
     bool tangentShadow(const Answer& answer, const LightAnswer& light, const WorldRay& shadow, double t_max,
                        bool device_lit) const;
     dvec3 reflectanceSpread(const Answer& answer) const;
     void checkColour(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light) const;
 
     const Scene& scene_;
+    Tolerance tolerance_;
     std::vector<double> units_;
     reference::Tracer tracer_;
 };

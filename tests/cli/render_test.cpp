@@ -153,7 +153,7 @@ TEST_F(RenderTest, VerboseSaysMore) {
 }
 
 TEST_F(RenderTest, EveryMarcherRenders) {
-    for (const char* marcher : {"naive", "naive-shell"})
+    for (const char* marcher : {"naive", "naive-shell", "lipschitz"})
         EXPECT_EQ(run({"render", "planet.pbrt", "--quick", "--marcher", marcher}).code, 0) << marcher;
 }
 

@@ -18,6 +18,7 @@ TEST_F(CliTest, HelpOfEachCommand) {
     const std::vector<std::pair<Words, std::string>> cases = {{{"--help"}, "Subcommands:"},
                                                               {{"render", "--help"}, "--outfile"},
                                                               {{"verify", "-h"}, "--sample"},
+                                                              {{"bench", "--help"}, "--baseline"},
                                                               {{"devices", "--help"}, "--json"}};
     for (const auto& [words, part] : cases) {
         Outcome outcome = run(words);
@@ -30,7 +31,7 @@ TEST_F(CliTest, HelpOfEachCommand) {
 
 TEST_F(CliTest, HelpShowsTheWordsOfAChoiceAndNoNumbers) {
     std::string help = run({"render", "--help"}).out;
-    EXPECT_TRUE(holds(help, "--marcher exact|naive|naive-shell\n"));
+    EXPECT_TRUE(holds(help, "--marcher exact|naive|naive-shell|lipschitz\n"));
     EXPECT_TRUE(holds(help, "--progress auto|always|never\n"));
 }
 
@@ -82,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
         UsageCase{render({"--cropwindow", "0.5,0.5,0,1"}), "--cropwindow"},
         UsageCase{render({"--cropwindow", "0,1.1,0,1"}), "--cropwindow"},
         UsageCase{render({"--cropwindow", "0,1,0,nan"}), "--cropwindow"},
-        UsageCase{render({"--marcher", "quick"}), "exact|naive|naive-shell"},
+        UsageCase{render({"--marcher", "quick"}), "exact|naive|naive-shell|lipschitz"},
         UsageCase{render({"--marcher", "1"}), "--marcher"},
         UsageCase{render({"--progress", "maybe"}), "auto|always|never"},
         UsageCase{{"verify", "planet.pbrt", "--sample", "-3"}, "--sample"},

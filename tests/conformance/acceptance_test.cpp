@@ -1,6 +1,7 @@
-// The main picture's map and three generated ones, 4096x2048, every pixel of 1280x720 in three views: 921,600 rays
-// each.
+// The main picture's map and three generated ones, 4096x2048, every pixel of 1280x720 in the three views of
+// bench: 921,600 rays each.
 
+#include "bench/views.h"
 #include "tests/conformance/fixture.h"
 #include "tests/support/testmaps.h"
 
@@ -13,24 +14,13 @@ using Acceptance = Conformance;
 
 constexpr int kWidth = 4096, kHeight = 2048;
 
-struct View {
-    const char* name;
-    dvec3 eye, target;  // `eye` and `target` in units of the greatest radius
-    double fov;
-};
-
-// The camera of the last stands just above the highest peak and looks along the ground.
-const View kViews[] = {{"whole planet", {2.4, 1.2, 1.6}, {0.0, 0.0, 0.0}, 40.0},
-                       {"limb", {1.25, 0.35, 0.2}, {0.3, 0.85, -0.35}, 35.0},
-                       {"horizon", {0.0, 0.3515, 0.9407}, {0.9, 0.25, 0.75}, 60.0}};
-
 void expectAllViews(World world) {
-    world.addSun(dvec3(1.5, 1.8, 1.9));
+    world.addSun(bench::kSun);
     world.scene.film.width = 1280;
     world.scene.film.height = 720;
-    for (const View& view : kViews) {
+    for (const bench::StandardView& view : bench::standardViews()) {
         SCOPED_TRACE(view.name);
-        world.lookAt(view.eye * world.unit(), view.target * world.unit(), dvec3(0.0, 1.0, 0.0), view.fov);
+        world.scene.camera = bench::cameraOf(view, world.unit());
         verify::Report report = picture(world).report;
         EXPECT_GT(report.hits, 150000u);
         EXPECT_GT(report.shadow_rays, 150000u);

@@ -31,4 +31,10 @@ inline ::testing::AssertionResult holds(const std::string& text, const std::stri
     return ::testing::AssertionFailure() << "\"" << text << "\" lacks \"" << part << "\"";
 }
 
+/// `body` must throw an Error of that code whose message holds `part`.
+template <typename Body>
+void expectError(ExitCode code, const std::string& part, Body&& body) {
+    EXPECT_TRUE(holds(messageOf(code, body), part));
+}
+
 }  // namespace dsphere::test

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "bench/results.h"
+
+namespace dsphere::bench {
+
+/// One line a view and method after a line of column names (RFC 4180); what was not measured is empty.
+std::string csv(const Results& results);
+
+}  // namespace dsphere::bench

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "bench/results.h"
+
+namespace dsphere::gpu {
+class Device;
+}
+
+namespace dsphere::bench {
+
+/// Processes ready to run, the mean of the last minute; 0 where the system does not tell.
+double systemLoad();
+
+/// This build, this host, that device, now. `load` is the system's before the run.
+Environment describeEnvironment(const gpu::Device& device, double device_open_seconds, double load);
+
+}  // namespace dsphere::bench

@@ -1,0 +1,58 @@
+#include "bench/method.h"
+
+#include "base/error.h"
+#include "bench/contender.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace dsphere::bench {
+
+namespace {
+
+Method march(const char* family, const char* setting, MarchMethod how) {
+    return {*setting ? fmt::format("{} {}", family, setting) : family, family, Engine::Device, how, 1};
+}
+
+Method mesh(const char* family, Engine engine, int coarsening) {
+    return {coarsening == 1 ? family : fmt::format("{} 1/{}", family, coarsening), family, engine, {}, coarsening};
+}
+
+}  // namespace
+
+std::vector<Method> allMethods() {
+    std::vector<Method> methods = {
+        march("exact", "", Marcher::Exact),
+        march("naive", "1e-4", {Marcher::Naive, 1e-4f}),
+        march("naive", "3e-5", {Marcher::Naive, 3e-5f}),
+        march("naive", "3e-6", {Marcher::Naive, 3e-6f}),
+        march("lipschitz", "", {Marcher::Lipschitz, 3e-6f}),
+        {"smooth", "smooth", Engine::SmoothSphere, {}, 1},
+    };
+    if (!haveEmbree()) return methods;
+    for (int coarsening : {1, 2, 4}) methods.push_back(mesh("grid", Engine::GridMesh, coarsening));
+    for (int coarsening : {1, 2, 4}) methods.push_back(mesh("triangles", Engine::TriangleMesh, coarsening));
+    return methods;
+}
+
+std::vector<Method> chooseMethods(const std::vector<std::string>& words) {
+    std::vector<Method> all = allMethods();
+    if (words.empty()) return all;
+    auto named = [](const Method& method, const std::string& word) {
+        return method.name == word || method.family == word;
+    };
+    for (const std::string& word : words) {
+        if (std::ranges::any_of(all, [&](const Method& method) { return named(method, word); })) continue;
+        std::vector<std::string> names;
+        for (const Method& method : all) names.push_back(method.name);
+        throw Error(ExitCode::Usage,
+                    fmt::format("--methods: unknown method '{}'; there are {}", word, fmt::join(names, ", ")));
+    }
+    std::erase_if(all, [&](const Method& method) {
+        return std::ranges::none_of(words, [&](const std::string& word) { return named(method, word); });
+    });
+    return all;
+}
+
+}  // namespace dsphere::bench

@@ -1,0 +1,189 @@
+#include "base/error.h"
+#include "bench/baseline.h"
+#include "bench/contender.h"
+#include "bench/csv.h"
+#include "bench/environment.h"
+#include "bench/json.h"
+#include "bench/report.h"
+#include "bench/suite.h"
+#include "bench/table.h"
+#include "cli/commands.h"
+#include "cli/sceneoptions.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+namespace dsphere::cli {
+
+namespace {
+
+struct BenchOptions {
+    CommonOptions common;
+    std::vector<std::string> scenes, methods, views;
+    std::vector<int> maps, resolution;
+    std::vector<double> displacements;
+    std::optional<int> repeats;
+    std::optional<std::uint64_t> samples;
+    std::string csv, json, html, markdown, baseline;
+    bool quick = false;
+};
+
+// A minute on two slow cores: small maps, a quarter of the pixels, one setting a method.
+void makeQuick(bench::Suite& suite, bench::Plan& plan, const BenchOptions& options) {
+    suite.widths = {1024, 2048};
+    suite.percents = {5.0};
+    suite.width = 640;
+    suite.height = 360;
+    plan.repeats = 3;
+    plan.seconds = 0.5;
+    plan.setups = 1;
+    plan.samples = 500;
+    if (options.methods.empty())
+        plan.methods =
+            bench::chooseMethods(bench::haveEmbree() ? std::vector<std::string>{"exact", "naive 3e-6", "lipschitz",
+                                                                                "smooth", "grid", "triangles"}
+                                                     : std::vector<std::string>{});
+}
+
+std::vector<bench::Source> sceneSources(const BenchOptions& options) {
+    if (!options.maps.empty() || !options.displacements.empty() || !options.views.empty())
+        throw Error(ExitCode::Usage, "--maps, --displacements and --views are of the default suite, not of scenes");
+    std::vector<bench::Source> sources;
+    for (const std::string& name : options.scenes) {
+        SceneOptions scene_options;
+        scene_options.scene = name;
+        scene_options.resolution = options.resolution;
+        scene_options.quick = options.quick;
+        // Parsed before anything is measured: a mistake in the last scene must not cost the first one's time.
+        Scene scene = loadScene(scene_options);
+        bench::requirePlanet(scene);
+        sources.push_back({[scene] { return bench::sceneWorkload(scene); }, 1});
+    }
+    return sources;
+}
+
+std::vector<bench::Source> chooseSources(bench::Suite suite, const BenchOptions& options) {
+    if (!options.scenes.empty()) return sceneSources(options);
+    if (!options.maps.empty()) suite.widths = options.maps;
+    if (!options.displacements.empty()) suite.percents = options.displacements;
+    if (!options.resolution.empty()) suite.width = options.resolution[0], suite.height = options.resolution[1];
+    suite.views = options.views;
+    return bench::suiteSources(suite);
+}
+
+void writeReports(const BenchOptions& options, const bench::Results& results) {
+    auto write = [&](const std::filesystem::path& path, const std::string& text) {
+        bench::writeText(path, text);
+        if (!options.common.quiet) fmt::print(stderr, "wrote {}\n", path.string());
+    };
+    if (!options.csv.empty()) write(options.csv, bench::csv(results));
+    if (!options.json.empty()) write(options.json, bench::toJson(results).dump(2) + "\n");
+    if (!options.html.empty()) write(options.html, bench::html(results));
+    if (options.markdown.empty()) return;
+    std::filesystem::path figure = std::filesystem::path(options.markdown).replace_extension(".svg");
+    std::string drawing = bench::figureFile(results);
+    if (!drawing.empty()) write(figure, drawing);
+    write(options.markdown, bench::markdown(results, drawing.empty() ? "" : figure.filename().string()));
+}
+
+int runBench(const BenchOptions& options) {
+    bench::Suite suite;
+    bench::Plan plan;
+    plan.methods = bench::chooseMethods(options.methods);
+    if (options.quick) makeQuick(suite, plan, options);
+    plan.repeats = options.repeats.value_or(plan.repeats);
+    plan.setups = std::min(plan.setups, plan.repeats);
+    plan.samples = options.samples.value_or(plan.samples);
+    std::vector<bench::Source> sources = chooseSources(suite, options);
+    for (const std::string& path : {options.csv, options.json, options.html, options.markdown})
+        if (!path.empty()) checkWritable(path);
+    std::optional<bench::Results> before;
+    if (!options.baseline.empty()) before = bench::readResults(options.baseline);
+
+    const double load = bench::systemLoad();
+    if (load > 0.5 * std::thread::hardware_concurrency() && !options.common.quiet)
+        fmt::print(stderr, "the machine is busy (load {:.1f}): speeds will be low and uneven\n", load);
+    auto start = std::chrono::steady_clock::now();
+    gpu::Device device = openDevice(options.common);
+    std::chrono::duration<double> opening = std::chrono::steady_clock::now() - start;
+    bench::Results results;
+    {
+        ProgressLine line(options.common.progress, options.common.quiet, "bench");
+        results.views = bench::measure(device, sources, plan, [&](double share) { return line.update(share); });
+    }
+    checkValidation(device);
+    results.environment = bench::describeEnvironment(device, opening.count(), load);
+    results.quick = options.quick;
+    results.repeats = plan.repeats;
+    results.samples = plan.samples;
+    writeReports(options, results);
+    std::string changes = before ? bench::changes(results, *before) : "";
+    if (options.common.json) {
+        fmt::print("{}\n", bench::toJson(results).dump(2));
+        fmt::print(stderr, "{}", changes);
+    } else {
+        fmt::print("{}{}", bench::table(results), changes);
+    }
+    return int(ExitCode::Ok);
+}
+
+void addSuiteOptions(CLI::App& command, BenchOptions& options) {
+    command.add_option("scene", options.scenes, "Scenes (.pbrt) to measure instead of the default suite")
+        ->type_name("SCENE");
+    command.add_option("--maps", options.maps, "Widths of the suite's fractal maps; default: 1024,4096,8192")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("W,...");
+    command.add_option("--displacements", options.displacements, "Their displacements in percent; default: 5,15,50")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("P,...");
+    command.add_option("--views", options.views, "Their views, separated by commas; default: all")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("whole|limb|horizon");
+    command
+        .add_option("--methods", options.methods,
+                    "Families of methods, or single ones (\"naive 3e-6\", \"grid 1/2\"), separated by commas; default: "
+                    "all. Meshes (grid, triangles) need a build with Embree")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("exact|naive|lipschitz|smooth|grid|triangles");
+    command.add_option("--resolution", options.resolution, "Pixels; default: 1280,720, or the scene's film")
+        ->type_size(2)
+        ->expected(1)
+        ->delimiter(',')
+        ->check(CLI::Range(1, 65536).description(""))
+        ->type_name("W,H");
+    command.add_option("--repeats", options.repeats, "Timed runs of each method; default: 7")
+        ->check(CLI::Range(1, 1000).description(""))
+        ->type_name("N");
+    command.add_option("--sample", options.samples, "Pixels a view to hold against the reference; default: 4000")
+        ->check(CLI::Range(1, 1 << 30).description(""))
+        ->type_name("N");
+    command.add_flag("--quick", options.quick,
+                     "Small maps, few pixels (of a scene: a quarter each way), few repeats: under a minute");
+}
+
+}  // namespace
+
+void addBench(CLI::App& app, Action& action) {
+    CLI::App* command = app.add_subcommand("bench", "Measure speed against error, beside other methods");
+    auto options = std::make_shared<BenchOptions>();
+    addSuiteOptions(*command, *options);
+    auto file = [&](const char* name, std::string& path, const char* help) {
+        command->add_option(name, path, help)->type_name("FILE");
+    };
+    file("--csv", options->csv, "Write a line a view and method");
+    file("--json-file", options->json, "Write what --json prints; --baseline reads it");
+    file("--html", options->html, "Write a report with plots, in one file");
+    file("--markdown", options->markdown, "Write a report, and beside it its figure as .svg");
+    file("--baseline", options->baseline, "Print the change since the run that wrote this JSON");
+    addCommonOptions(*command, options->common);
+    command->callback([options, &action] { action = [options] { return runBench(*options); }; });
+}
+
+}  // namespace dsphere::cli
