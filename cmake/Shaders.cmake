@@ -2,21 +2,27 @@
 # `kSpirv_<name>` in `shaders/<name>.spv.h` on the target's include path. Relative paths are under shaders/; included files are tracked.
 find_program(GLSLANG glslangValidator REQUIRED)
 
+# dsphere_shader_variant(target name shader.comp [MACRO=VALUE...]): the same of one shader, compiled with macros.
+function(dsphere_shader_variant target name shader)
+    list(TRANSFORM ARGN PREPEND -D OUTPUT_VARIABLE macros)
+    cmake_path(ABSOLUTE_PATH shader BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/shaders OUTPUT_VARIABLE source)
+    set(header ${CMAKE_BINARY_DIR}/generated/shaders/${name}.spv.h)
+    add_custom_command(
+        OUTPUT ${header}
+        COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/generated/shaders
+        COMMAND ${GLSLANG} --quiet --target-env vulkan1.1 -I${PROJECT_SOURCE_DIR}/shaders ${macros}
+                --vn kSpirv_${name} --depfile ${header}.d -o ${header} ${source}
+        DEPENDS ${source}
+        DEPFILE ${header}.d
+        COMMENT "Compiling shader ${name}"
+        VERBATIM)
+    target_sources(${target} PRIVATE ${header})
+    target_include_directories(${target} PRIVATE ${CMAKE_BINARY_DIR}/generated)
+endfunction()
+
 function(dsphere_shaders target)
     foreach(shader ${ARGN})
         get_filename_component(name ${shader} NAME_WE)
-        cmake_path(ABSOLUTE_PATH shader BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/shaders OUTPUT_VARIABLE source)
-        set(header ${CMAKE_BINARY_DIR}/generated/shaders/${name}.spv.h)
-        add_custom_command(
-            OUTPUT ${header}
-            COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/generated/shaders
-            COMMAND ${GLSLANG} --quiet --target-env vulkan1.1 -I${PROJECT_SOURCE_DIR}/shaders
-                    --vn kSpirv_${name} --depfile ${header}.d -o ${header} ${source}
-            DEPENDS ${source}
-            DEPFILE ${header}.d
-            COMMENT "Compiling shader ${shader}"
-            VERBATIM)
-        target_sources(${target} PRIVATE ${header})
+        dsphere_shader_variant(${target} ${name} ${shader})
     endforeach()
-    target_include_directories(${target} PRIVATE ${CMAKE_BINARY_DIR}/generated)
 endfunction()

@@ -276,20 +276,37 @@ Crossing crossingAt(vec3 p, MapData map, real base, Filtered answer) {
     return crossing;
 }
 
+// The same to 48 bits: the height ramp's colour of a steep map needs them.
+Crossing finalCrossing(vec3 p, MapData map, Pair base, Filtered answer) {
+    Crossing crossing;
+    crossing.p = p;
+    ivec2 cell = answer.stroll.cell;
+    vec4 west = splitEdge(edgesAt(cell.x, map.edges_y));
+    vec4 north = splitEdge(edgesAt(cell.y, map.edges_y + 1));
+    View view = viewFrom(west, north, base, makePair(p.x, real(0)), makePair(p.y, real(0)), makePair(p.z, real(0)));
+    real columns = atanSmall(view.place.x / max(view.place.y, kTiny)) * real(map.cells_per_radian_u);
+    real rows = atanSmall(view.slant.x / max(view.slant.y, kTiny)) * cellsPerRadianV(map, cell.y);
+    crossing.at.fu = clamp(columns, real(0), real(1));
+    crossing.at.fv = clamp(rows, real(0), real(1));
+    crossing.at.g = view.height - patchValue(answer.stroll.quad, crossing.at.fu, crossing.at.fv);
+    crossing.gradient = patchGradient(map, answer.stroll.quad, crossing.at, cell.y, p);
+    return crossing;
+}
+
 // Two Newton steps on the true f at float points, the first with the parabola's slope: what is left is f's rounding. Points
 // move from each other, not along s, whose own rounding would come on top.
-Crossing filterRefine(Ray ray, MapData map, real base, Filtered answer) {
+Crossing filterRefine(Ray ray, MapData map, Pair base, Filtered answer) {
     Stroll stroll = answer.stroll;
     real low = answer.piece.s + stroll.low * answer.piece.extent;
     real length_of_chord = (stroll.high - stroll.low) * answer.piece.extent;
     real y = answer.inside ? real(0) : chordRoot(stroll.chord);
-    Crossing first = crossingAt(ray.c + (low + y * length_of_chord) * ray.d, map, base, answer);
+    Crossing first = crossingAt(ray.c + (low + y * length_of_chord) * ray.d, map, base.hi, answer);
     real fall = stroll.chord.slope + real(2) * y * stroll.chord.bend;
     real moved = answer.inside ? y : clamp(y - first.at.g / lesser(fall, -kTiny), real(0), real(1));
-    Crossing second = crossingAt(first.p + ((moved - y) * length_of_chord) * ray.d, map, base, answer);
+    Crossing second = crossingAt(first.p + ((moved - y) * length_of_chord) * ray.d, map, base.hi, answer);
     real rate = dot(second.gradient, ray.d);
     bool steep = abs(rate) > real(1e-6) * length(second.gradient);
     real stride = steep && !answer.inside ? -second.at.g / rate : real(0);
     stride = clamp(stride, -moved * length_of_chord, (real(1) - moved) * length_of_chord);
-    return crossingAt(second.p + stride * ray.d, map, base, answer);
+    return finalCrossing(second.p + stride * ray.d, map, base, answer);
 }

@@ -37,6 +37,37 @@ vec4 splitEdge(vec4 edge) {
     return vec4(sine, cosine, sine_rest, cosine_rest);
 }
 
+// A point seen from a cell's corner, to 48 bits where it matters: (across, along) and (south, toward) are small and exact to
+// their own rounding in their first component.
+struct View {
+    vec2 place, slant;
+    real rho, radius;  // distance from the axis and from the centre
+    real height;       // radius - base, without cancellation
+};
+
+// west, north: of splitEdge.
+View viewFrom(vec4 west, vec4 north, Pair base, Pair x, Pair y, Pair z) {
+    View view;
+    Turned around = turnPair(x, z, west);
+    real along = around.second.hi + around.second.lo;
+    view.place = vec2(around.first, along);
+    // rho = along + across^2 / (along + rho): the small part apart. Beside or behind the axis, where an anchor can lie, the
+    // whole is small.
+    view.rho = sqrt(along * along + around.first * around.first);
+    bool beside = along < real(0.5) * view.rho;
+    real beyond = around.first * around.first / max(view.rho + along, kTiny);
+    precise real rho_rest = (around.second.lo + beyond);
+    Pair rho_pair = makePair(beside ? view.rho : around.second.hi, beside ? real(0) : rho_rest);
+    Turned down = turnPair(rho_pair, y, north);
+    real toward = down.second.hi + down.second.lo;
+    view.slant = vec2(down.first, toward);
+    view.radius = sqrt(toward * toward + down.first * down.first);
+    real bulge = down.first * down.first / max(view.radius + toward, kTiny);
+    precise real height = (down.second.hi - base.hi) + ((down.second.lo + bulge) - base.lo);
+    view.height = height;
+    return view;
+}
+
 // The frame of the cell that the ray is in at s, anchored near it. On the axis all columns meet, and the longitude jumps:
 // the column is then the one that the ray leaves to. Leaves often start there: cells of the cube map meet at the poles.
 Frame makeFrame(Ray ray, MapData map, Pair base, real s) {
@@ -48,27 +79,16 @@ Frame makeFrame(Ray ray, MapData map, Pair base, real s) {
     frame.cell = locateCell(map, isOnAxis(at, ray.d) ? vec3(kTurnAside * ray.d.x, at.y, kTurnAside * ray.d.z) : at);
     vec4 west = splitEdge(edgesAt(frame.cell.x, map.edges_y));
     vec4 north = splitEdge(edgesAt(frame.cell.y, map.edges_y + 1));
-    Turned around = turnPair(anchor.x, anchor.z, west);
-    real along = around.second.hi + around.second.lo;
-    frame.place = vec2(around.first, along);
+    View view = viewFrom(west, north, base, anchor.x, anchor.y, anchor.z);
+    frame.place = view.place;
+    frame.slant = view.slant;
+    frame.rho = view.rho;
+    frame.radius = view.radius;
+    frame.height = view.height;
     real sin_w = west.x + west.z;
     real cos_w = west.y + west.w;
     frame.place_d = vec2(ray.d.x * cos_w - ray.d.z * sin_w, ray.d.x * sin_w + ray.d.z * cos_w);
-    // rho = along + across^2 / (along + rho): the small part apart. Beside or behind the axis, where an anchor can lie, the
-    // whole is small.
-    frame.rho = sqrt(along * along + around.first * around.first);
-    bool beside = along < real(0.5) * frame.rho;
-    real beyond = around.first * around.first / max(frame.rho + along, kTiny);
-    precise real rho_rest = (around.second.lo + beyond);
-    Pair rho_pair = makePair(beside ? frame.rho : around.second.hi, beside ? real(0) : rho_rest);
-    Turned down = turnPair(rho_pair, anchor.y, north);
-    real toward = down.second.hi + down.second.lo;
-    frame.slant = vec2(down.first, toward);
     frame.edge = vec2(north.x + north.z, north.y + north.w);
-    frame.radius = sqrt(toward * toward + down.first * down.first);
-    real bulge = down.first * down.first / max(frame.radius + toward, kTiny);
-    precise real height = (down.second.hi - base.hi) + ((down.second.lo + bulge) - base.lo);
-    frame.height = height;
     frame.rate_rho = p.x * ray.d.x + p.z * ray.d.z;
     frame.rate_radius = dot(p, ray.d);
     frame.d_across2 = ray.d.x * ray.d.x + ray.d.z * ray.d.z;

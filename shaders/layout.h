@@ -35,22 +35,23 @@ using uint = std::uint32_t;
 #define SPEC_LIGHT_COUNT 2
 #define SPEC_KINDS 3      // bit per KIND_ that the scene holds
 #define SPEC_PLANES 4     // bit per PLANE_ that the film holds
-#define SPEC_PRECISION 5  // PRECISION_
-#define SPEC_IMAGES 6     // 1 if an object has a colour image
-#define SPEC_THRESHOLD 7  // float; naive, lipschitz: a hit where |p| - r falls under it, units of R
-#define SPEC_STRIDE 8     // float; lipschitz: the share of |p| - r that no step exceeds
-#define SPEC_COUNT 9
+#define SPEC_IMAGES 5     // 1 if an object has a colour image
+#define SPEC_THRESHOLD 6  // float; naive, lipschitz: a hit where |p| - r falls under it, units of R
+#define SPEC_STRIDE 7     // float; lipschitz: the share of |p| - r that no step exceeds
+#define SPEC_COUNT 8
 
 #define MARCHER_EXACT 0
 #define MARCHER_NAIVE 1        // the seed's: from the camera
 #define MARCHER_NAIVE_SHELL 2  // the same, started at the shell
 #define MARCHER_LIPSCHITZ 3    // sphere tracing with a proven bound of the slope
 
-// Of the exact marcher. FILTER decides in single floats what rounding cannot change, and lists the pixels where it
-// could: they are done again with FULL, 48 bits. BOTH does that at once, ray by ray.
-#define PRECISION_FILTER 0
-#define PRECISION_FULL 1
-#define PRECISION_BOTH 2
+// What a variant of a shader marches with (MARCH_WITH). FILTER decides in single floats what rounding cannot change, and
+// lists the pixels where it could: they are done again with FULL, 48 bits. BOTH does that at once, ray by ray. BASELINE:
+// the marchers that are not exact. Variants, not constants: drivers would inline all of them before they drop any.
+#define MARCH_FILTER 0
+#define MARCH_FULL 1
+#define MARCH_BOTH 2
+#define MARCH_BASELINE 3
 
 #define KIND_DISPLACED 0
 #define KIND_SPHERE 1

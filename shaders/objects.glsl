@@ -1,17 +1,22 @@
 // One object's ray and hit: from camera or surface to object space, and back to world. Expects march.glsl, naive.glsl
-// filter.glsl and the constants kMarcher, kPrecision and kKinds (a bit per KIND_ of the scene: what no object needs is compiled away).
+// filter.glsl and the constants kMarcher and kKinds (a bit per KIND_ of the scene: what no object needs is compiled away).
+
+#ifndef MARCH_WITH
+#define MARCH_WITH MARCH_BOTH
+#endif
 
 // x and y count pixels from the object's anchor, to the pixel's centre; the jitter of a sample within the pixel needs no
 // more than a float's bits, and the filter as a whole none.
 Pair cameraValue(real base, real base_lo, real step_x, real step_x_lo, real step_y, real step_y_lo, vec2 pixel,
                  vec2 jitter) {
-    if (kPrecision == PRECISION_FILTER) {
-        vec2 place = pixel + jitter;
-        return makePair(base + (place.x * (step_x + step_x_lo) + (place.y * (step_y + step_y_lo) + base_lo)), real(0));
-    }
+#if MARCH_WITH == MARCH_FILTER || MARCH_WITH == MARCH_BASELINE
+    vec2 place = pixel + jitter;
+    return makePair(base + (place.x * (step_x + step_x_lo) + (place.y * (step_y + step_y_lo) + base_lo)), real(0));
+#else
     real rest = base_lo + (jitter.x * step_x + jitter.y * step_y);
     return pairLinear(makePair(base, rest), pixel.x, makePair(step_x, step_x_lo), pixel.y,
                       makePair(step_y, step_y_lo));
+#endif
 }
 
 Ray cameraRay(ObjectData o, vec2 pixel, vec2 jitter) {
@@ -122,13 +127,12 @@ void takeCrossing(INOUT(ObjectHit) hit, MapData map, Ray ray, Crossing crossing,
 
 ObjectHit hitDisplacedFiltered(ObjectData object, MapData map, Ray ray) {
     ObjectHit hit = noHit();
-    real base = real(object.base), scale = real(object.scale);
-    Filtered answer = filterMarch(ray, map, base, scale, real(object.shell_squared));
+    Filtered answer = filterMarch(ray, map, real(object.base), real(object.scale), real(object.shell_squared));
     hit.hit = answer.hit;
     hit.inside = answer.inside;
     hit.doubtful = answer.doubtful;
     hit.steps = answer.steps;
-    if (answer.hit) takeCrossing(hit, map, ray, filterRefine(ray, map, base, answer), answer.stroll.cell);
+    if (answer.hit) takeCrossing(hit, map, ray, filterRefine(ray, map, basePair(object), answer), answer.stroll.cell);
     return hit;
 }
 
@@ -146,8 +150,15 @@ ObjectHit hitDisplacedFully(ObjectData object, MapData map, Ray ray) {
 ObjectHit hitDisplaced(ObjectData object, MapData map, Ray ray) {
     ObjectHit hit = noHit();
     hit.doubtful = true;
-    if (kPrecision != PRECISION_FULL) hit = hitDisplacedFiltered(object, map, ray);
-    if (kPrecision != PRECISION_FILTER && hit.doubtful) hit = hitDisplacedFully(object, map, ray);
+#if MARCH_WITH == MARCH_FILTER || MARCH_WITH == MARCH_BOTH
+    hit = hitDisplacedFiltered(object, map, ray);
+#endif
+#if MARCH_WITH == MARCH_FULL || MARCH_WITH == MARCH_BOTH
+    if (hit.doubtful) hit = hitDisplacedFully(object, map, ray);
+#endif
+#if MARCH_WITH == MARCH_BASELINE
+    hit = hitBaseline(object, map, ray);
+#endif
     return hit;
 }
 
@@ -157,30 +168,29 @@ bool sceneHas(int kind) {
 
 ObjectHit hitObject(ObjectData object, MapData map, Ray ray) {
     ObjectHit hit = noHit();
-    if (sceneHas(KIND_DISPLACED) && object.kind == KIND_DISPLACED) {
-        if (kMarcher == MARCHER_EXACT) hit = hitDisplaced(object, map, ray);
-        if (kMarcher != MARCHER_EXACT) hit = hitBaseline(object, map, ray);
-    }
+    if (sceneHas(KIND_DISPLACED) && object.kind == KIND_DISPLACED) hit = hitDisplaced(object, map, ray);
     if (sceneHas(KIND_SPHERE) && object.kind == KIND_SPHERE) hit = hitUnitSphere(ray);
     if (sceneHas(KIND_DISK) && object.kind == KIND_DISK) hit = hitRing(object, ray);
     return hit;
 }
 
 bool displacedBlocks(ObjectData object, MapData map, Ray ray, INOUT(bool) doubtful) {
-    real shell_squared = real(object.shell_squared);
-    if (kPrecision == PRECISION_FULL) return march(ray, map, basePair(object), real(object.scale), shell_squared).hit;
-    Filtered answer = filterMarch(ray, map, real(object.base), real(object.scale), shell_squared);
+#if MARCH_WITH == MARCH_BASELINE
+    return hitBaseline(object, map, ray).hit;
+#elif MARCH_WITH == MARCH_FULL
+    return march(ray, map, basePair(object), real(object.scale), real(object.shell_squared)).hit;
+#else
+    Filtered answer = filterMarch(ray, map, real(object.base), real(object.scale), real(object.shell_squared));
     doubtful = doubtful || answer.doubtful;
     return answer.hit;
+#endif
 }
 
 // Any hit: no root is refined, no normal found. `doubtful` is set where another precision must decide.
 bool blocks(ObjectData object, MapData map, Ray ray, INOUT(bool) doubtful) {
     bool blocked = false;
-    if (sceneHas(KIND_DISPLACED) && object.kind == KIND_DISPLACED) {
-        if (kMarcher == MARCHER_EXACT) blocked = displacedBlocks(object, map, ray, doubtful);
-        if (kMarcher != MARCHER_EXACT) blocked = hitBaseline(object, map, ray).hit;
-    }
+    if (sceneHas(KIND_DISPLACED) && object.kind == KIND_DISPLACED)
+        blocked = displacedBlocks(object, map, ray, doubtful);
     if (sceneHas(KIND_SPHERE) && object.kind == KIND_SPHERE) blocked = hitUnitSphere(ray).hit;
     if (sceneHas(KIND_DISK) && object.kind == KIND_DISK) blocked = hitRing(object, ray).hit;
     return blocked;

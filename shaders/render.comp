@@ -62,18 +62,20 @@ void putGeometry(ivec2 pixel, SurfacePoint point) {
 
 // False for an invocation without a pixel.
 bool findPixel(out ivec2 pixel) {
-    if (kPrecision == PRECISION_FILTER) {
-        // Eight lanes in a row are 4 x 2 pixels: their rays differ less than those of 8 x 1.
-        ivec2 lane = ivec2(gl_LocalInvocationID.xy);
-        ivec2 within = ivec2((lane.x & 3) | (lane.y & 1) << 2, (lane.y & 6) | lane.x >> 2);
-        pixel = ivec2(params.tile_x, params.tile_y) + ivec2(gl_WorkGroupID.xy) * ivec2(GROUP_SIZE_X, GROUP_SIZE_Y) + within;
-        return pixel.x < params.tile_x1 && pixel.y < params.tile_y1;
-    }
+#if MARCH_WITH == MARCH_FULL
     uint index = gl_WorkGroupID.x * (GROUP_SIZE_X * GROUP_SIZE_Y) + gl_LocalInvocationIndex;
     bool listed = index < retry.count;
     uint packed = listed ? retry_pixels[index] : 0u;
     pixel = ivec2(packed & 0xffffu, packed >> 16);
     return listed;
+#else
+    // Eight lanes in a row are 4 x 2 pixels: their rays differ less than those of 8 x 1.
+    ivec2 lane = ivec2(gl_LocalInvocationID.xy);
+    ivec2 within = ivec2((lane.x & 3) | (lane.y & 1) << 2, (lane.y & 6) | lane.x >> 2);
+    ivec2 group = ivec2(gl_WorkGroupID.xy) * ivec2(GROUP_SIZE_X, GROUP_SIZE_Y);
+    pixel = ivec2(params.tile_x, params.tile_y) + group + within;
+    return pixel.x < params.tile_x1 && pixel.y < params.tile_y1;
+#endif
 }
 
 // Film planes of a pixel whose ray, or one of its shadow rays, is in doubt are left to the other precision.

@@ -9,7 +9,6 @@ layout(constant_id = SPEC_OBJECT_COUNT) const int kObjectCount = 1;
 layout(constant_id = SPEC_LIGHT_COUNT) const int kLightCount = 0;
 layout(constant_id = SPEC_KINDS) const int kKinds = 1;
 layout(constant_id = SPEC_PLANES) const uint kPlanes = 0u;
-layout(constant_id = SPEC_PRECISION) const int kPrecision = PRECISION_FULL;
 layout(constant_id = SPEC_IMAGES) const int kImages = 0;
 layout(constant_id = SPEC_THRESHOLD) const float kThreshold = 3e-6;
 layout(constant_id = SPEC_STRIDE) const float kStride = 1.0;

@@ -23,7 +23,7 @@ float safeStride(const PackedScene& packed) {
 
 gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const PackedScene& packed,
                                        std::span<const std::uint32_t> spirv, Shader shader, const MarchMethod& method,
-                                       Precision precision, std::uint32_t planes) {
+                                       std::uint32_t planes) {
     using gpu::Binding;
     std::vector<Binding::Kind> bindings(BINDING_RAMPS, Binding::UniformBuffer);
     bindings.push_back(Binding::StorageBuffer);
@@ -36,7 +36,6 @@ gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const PackedScene& p
     specialization[SPEC_LIGHT_COUNT] = std::uint32_t(packed.lights.size());
     specialization[SPEC_KINDS] = packed.kinds;
     specialization[SPEC_PLANES] = planes;
-    specialization[SPEC_PRECISION] = std::uint32_t(precision);
     specialization[SPEC_IMAGES] = packed.images.empty() ? 0 : 1;
     specialization[SPEC_THRESHOLD] = std::bit_cast<std::uint32_t>(method.threshold);
     specialization[SPEC_STRIDE] =

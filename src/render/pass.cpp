@@ -1,7 +1,9 @@
 #include "render/pass.h"
 
 #include "gpu/device.h"
-#include "shaders/render.spv.h"
+#include "shaders/render_baseline.spv.h"
+#include "shaders/render_filter.spv.h"
+#include "shaders/render_full.spv.h"
 
 #include <algorithm>
 
@@ -25,18 +27,23 @@ std::vector<gpu::Resource> bindAll(const DeviceScene& scene, const gpu::StorageI
     return resources;
 }
 
+std::span<const std::uint32_t> firstShader(const MarchMethod& method) {
+    if (method.marcher == Marcher::Exact) return kSpirv_render_filter;
+    return kSpirv_render_baseline;
+}
+
 }  // namespace
 
 PassPipelines::PassPipelines(gpu::Device& device, const PackedScene& packed, const MarchMethod& method,
                              std::uint32_t mask)
-    : device_(&device), packed_(&packed), method_(method), mask_(mask), filter_(make(Precision::Filter)) {}
+    : device_(&device), packed_(&packed), method_(method), mask_(mask), first_(make(firstShader(method))) {}
 
-gpu::ComputePipeline PassPipelines::make(Precision precision) const {
-    return makeMarchPipeline(*device_, *packed_, kSpirv_render, Shader::Render, method_, precision, mask_);
+gpu::ComputePipeline PassPipelines::make(std::span<const std::uint32_t> spirv) const {
+    return makeMarchPipeline(*device_, *packed_, spirv, Shader::Render, method_, mask_);
 }
 
 const gpu::ComputePipeline& PassPipelines::full() {
-    if (!full_) full_ = make(Precision::Full);
+    if (!full_) full_ = make(kSpirv_render_full);
     return *full_;
 }
 
@@ -44,11 +51,11 @@ Pass::Pass(gpu::Device& device, PassPipelines& pipelines, const DeviceScene& dev
            const gpu::StorageImage& film)
     : pipelines_(pipelines),
       retry_list_(device, gpu::Buffer::Usage::Storage, gpu::Buffer::Place::Device, listBytes(film), "retry list"),
-      set_(device, pipelines.filter(), bindAll(device_scene, film, retry_list_), "render"),
+      set_(device, pipelines.first(), bindAll(device_scene, film, retry_list_), "render"),
       batch_(device, "render") {
     layout::RetryHead none = {};
     retry_list_.upload(0, sizeof(none), &none);
-    warmUp(pipelines.filter());
+    warmUp(pipelines.first());
 }
 
 // Drivers compile at the first dispatch: one without pixels pays for it, outside of the timing.
@@ -61,7 +68,7 @@ void Pass::warmUp(const gpu::ComputePipeline& pipeline) {
 
 double Pass::run(std::span<const layout::RenderParams> tiles) {
     if (tiles.empty()) return 0.0;
-    batch_.bind(pipelines_.filter(), set_);
+    batch_.bind(pipelines_.first(), set_);
     for (const layout::RenderParams& tile : tiles) {
         batch_.push(tile);
         batch_.dispatch(groups(tile.tile_x1 - tile.tile_x, GROUP_SIZE_X),

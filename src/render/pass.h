@@ -11,25 +11,25 @@
 
 namespace dsphere {
 
-/// The pipelines that fill a film with the planes of one mask: PRECISION_FILTER, and PRECISION_FULL for the pixels that
-/// it leaves. The second is made when a pixel needs it.
+/// The pipelines that fill a film with the planes of one mask: MARCH_FILTER, and MARCH_FULL for the pixels that it leaves;
+/// or MARCH_BASELINE, which leaves none. The second is made when a pixel needs it.
 class PassPipelines {
   public:
     /// The packed scene must outlive the pipelines.
     PassPipelines(gpu::Device& device, const PackedScene& packed, const MarchMethod& method, std::uint32_t mask);
 
-    const gpu::ComputePipeline& filter() const { return filter_; }
+    const gpu::ComputePipeline& first() const { return first_; }
     bool hasFull() const { return full_.has_value(); }
     const gpu::ComputePipeline& full();
 
   private:
-    gpu::ComputePipeline make(Precision precision) const;
+    gpu::ComputePipeline make(std::span<const std::uint32_t> spirv) const;
 
     gpu::Device* device_;
     const PackedScene* packed_;
     MarchMethod method_;
     std::uint32_t mask_;
-    gpu::ComputePipeline filter_;
+    gpu::ComputePipeline first_;
     std::optional<gpu::ComputePipeline> full_;
 };
 

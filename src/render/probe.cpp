@@ -29,10 +29,10 @@ layout::ProbeRay narrowRay(const ProbeQuery& query) {
 
 }  // namespace
 
-Probe::Probe(gpu::Device& device, const PackedScene& packed, const MarchMethod& method)
+Probe::Probe(gpu::Device& device, const PackedScene& packed)
     : device_(device),
       device_scene_(device, packed),
-      pipeline_(makeMarchPipeline(device, packed, kSpirv_probe, Shader::Probe, method, Precision::Both, 0)) {}
+      pipeline_(makeMarchPipeline(device, packed, kSpirv_probe, Shader::Probe, Marcher::Exact, 0)) {}
 
 std::vector<layout::ProbeHit> Probe::trace(const std::vector<ProbeQuery>& queries) {
     std::vector<layout::ProbeRay> rays;

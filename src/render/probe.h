@@ -13,10 +13,10 @@ struct ProbeQuery {
     bool secondary = false;   ///< by the rules of shadow rays: a start inside is no hit
 };
 
-/// Traces a list of rays against the scene's first shape on the device.
+/// Traces a list of rays against the scene's first shape on the device, with the exact marcher.
 class Probe {
   public:
-    Probe(gpu::Device& device, const PackedScene& packed, const MarchMethod& method);
+    Probe(gpu::Device& device, const PackedScene& packed);
 
     std::vector<layout::ProbeHit> trace(const std::vector<ProbeQuery>& queries);
 

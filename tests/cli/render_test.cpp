@@ -138,7 +138,8 @@ TEST_F(RenderTest, JsonIsAllOfStandardOutput) {
     EXPECT_GE(json.at("map_bytes").get<int>(), 64 * 32 * 4);
     EXPECT_EQ(json.at("image_bytes"), 0) << "the scene has no image";
     EXPECT_EQ(json.at("maps"), nlohmann::json::parse(R"([{"path":"map.pgm","nodata_texels":0}])"));
-    EXPECT_EQ(json.size(), 10u) << "a field that this test does not know: " << outcome.out;
+    EXPECT_LE(json.at("retried_pixels").get<int>(), 3 * kWidth * kHeight / 50) << "few need full precision";
+    EXPECT_EQ(json.size(), 11u) << "a field that this test does not know: " << outcome.out;
 }
 
 TEST_F(RenderTest, QuietSaysNothing) {

@@ -23,7 +23,7 @@ class Secondary : public Conformance, public testing::WithParamInterface<Seconda
   protected:
     World world_ = sphereWorld(GetParam().map(512, 256, 1), GetParam().percent);
     PackedScene packed_ = packScene(world_.scene, world_.maps);
-    Probe probe_{device(), packed_, Marcher::Exact};
+    Probe probe_{device(), packed_};
     reference::Surface surface_{*world_.maps.maps[0], world_.maps.reliefs[0]};
     Random random_{41};
 

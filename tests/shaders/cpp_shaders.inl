@@ -50,7 +50,6 @@ inline real leadingBits(real x) {
 
 // All kinds of object, the exact marcher: what the device gets by specialisation.
 constexpr int kMarcher = MARCHER_EXACT;
-constexpr int kPrecision = PRECISION_BOTH;
 constexpr real kThreshold = real(3e-6), kStride = real(1);
 constexpr int kKinds = 1 << KIND_DISPLACED | 1 << KIND_SPHERE | 1 << KIND_DISK;
 

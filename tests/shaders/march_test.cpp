@@ -69,7 +69,7 @@ Tally compare(const Planet& planet, const std::vector<Query>& queries) {
         auto ray32 = glsl32::makeRay(line32, float(before), 1e30f, true);
         auto filtered =
             glsl32::filterMarch(ray32, planet.map(), float(base), float(scale), planet.object().shell_squared);
-        auto crossing = glsl32::filterRefine(ray32, planet.map(), float(base), filtered);
+        auto crossing = glsl32::filterRefine(ray32, planet.map(), narrow(base), filtered);
         tally.doubtful += filtered.doubtful ? 1 : 0;
         tally.wrong_filter += filtered.doubtful || right(filtered.hit, glm::dot(dvec3(crossing.p), d)) ? 0 : 1;
         tally.hits += truth.hit ? 1 : 0;
