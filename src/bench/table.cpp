@@ -34,7 +34,7 @@ std::string table(const Results& results) {
                             100.0 * view.hit_share);
         text += fmt::format(fmt::runtime(kRow), "", "primary", "shadow", "set-up", "memory", "fetches", "wrong",
                             "later", "wrong", "distance", "to surface", "99.9 %");
-        text += fmt::format(fmt::runtime(kRow), "", "Mrays/s (min..max)", "Mrays/s (min..max)", "s", "MiB", "a ray",
+        text += fmt::format(fmt::runtime(kRow), "", "Mrays/s (min..max)", "Mrays/s (min..max)", "s", "MiB", "a hit",
                             "hits", "roots", "shadow", "median /R", "99.9 % /R", "pixels");
         for (const MethodResult& method : view.methods) text += row(method);
         text += "\n";
