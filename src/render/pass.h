@@ -11,8 +11,8 @@
 
 namespace dsphere {
 
-/// The pipelines that fill a film with the planes of one mask: MARCH_FILTER, and MARCH_FULL for the pixels that it leaves;
-/// or MARCH_BASELINE, which leaves none. The second is made when a pixel needs it.
+/// The pipelines that fill a film with the planes of one mask: MARCH_FILTER, and MARCH_FULL for the pixels that it
+/// leaves; or MARCH_BASELINE, which leaves none. The second is made when a pixel needs it.
 class PassPipelines {
   public:
     /// The packed scene must outlive the pipelines.
