@@ -1,6 +1,6 @@
 // The walk below one leaf of the bounds in single floats, with a filter (Shewchuk 1997): where rounding could change the
 // answer the ray is in doubt, and walk.glsl, whose rays have twice the bits, decides instead. Few rays are, and most of the
-// walk's cost is its bits. Expects surface.glsl and walk.glsl's solveChord.
+// walk's cost is its bits. Expects march.glsl.
 
 // How far a float ray and the float surface can be off together, in units of R: c and d are rounded in some five steps,
 // a point's place in its cell in about as many, each by half an ulp below 1.

@@ -2,7 +2,7 @@
 
 struct ObjectHit {
     bool hit, inside, exhausted;
-    bool doubtful;  // only with PRECISION_FILTER: another precision must decide, the rest means nothing
+    bool doubtful;  // only with MARCH_FILTER: full precision must decide, the rest means nothing
     int steps;
     vec3 p, n;     // object space, units of R; n unit, outward (disk: towards the ray's origin)
     real stored;   // the map's value
