@@ -18,7 +18,8 @@ using uint = std::uint32_t;
 #define PROBE_GROUP_SIZE 64
 
 #define BINDING_OBJECTS 0  // uniform buffers: lavapipe reads storage buffers lane by lane
-#define BINDING_MAPS 1     // one an object, in the same order: a looked-up index would not count as uniform
+#define BINDING_MAPS 1     // MAX_OBJECTS a level of detail, one an object in the same order: a looked-up index would not
+                           // count as uniform
 #define BINDING_LIGHTS 2
 #define BINDING_RAMPS 3
 #define BINDING_HEIGHTS 4  // r32f array: stored map values, pole rows included
@@ -38,7 +39,8 @@ using uint = std::uint32_t;
 #define SPEC_IMAGES 5     // 1 if an object has a colour image
 #define SPEC_THRESHOLD 6  // float; naive, lipschitz: a hit where |p| - r falls under it, units of R
 #define SPEC_STRIDE 7     // float; lipschitz: the share of |p| - r that no step exceeds
-#define SPEC_COUNT 8
+#define SPEC_DETAIL 8     // float; exact: pixels that a level of detail may be off, 0: none is used
+#define SPEC_COUNT 9
 
 #define MARCHER_EXACT 0
 #define MARCHER_NAIVE 1        // the seed's: from the camera
@@ -103,6 +105,7 @@ using uint = std::uint32_t;
 
 #define MAX_OBJECTS 64
 #define MAX_LIGHTS 32
+#define MAX_LEVELS 8    // of detail; level 0 is the map
 #define RAMP_POINTS 17  // control points of a colour ramp, at equal distances
 
 struct ObjectData {
@@ -131,6 +134,8 @@ struct ObjectData {
     int image_centres_y;                         // row of `edges` for the texel columns' centres; the next: the rows'
     float image_shift;                           // turns from a longitude of 0 back to the image's left edge
     float image_scale;
+    float pixel_size, pixel_growth;  // a pixel spans size + growth * distance from the ray's start at least, units of R
+    float pad0, pad1;
 };
 
 struct LightData {
@@ -140,7 +145,7 @@ struct LightData {
 
 struct MapData {
     int width, rows;                                      // cells: columns (wrapping) and rows from pole to pole
-    int heights_y, layer;                                 // where node row 0 lies in the heights image
+    int heights_x, heights_y, layer;                      // where node (0, 0) lies in the heights image
     int bounds_y, bounds_layer, bounds_side, start_side;  // start_side: of the level where camera rays start
     int edges_y;                           // row of the longitude edges; the colatitude edges lie in the next
     int caps;                              // 1: the first and last rows are half as high (texel registration)
@@ -149,7 +154,8 @@ struct MapData {
     float cap_shift;  // node row of colatitude theta = theta * cells_per_radian_v + cap_shift
     // Of a cell's angular size; versin = 1 - cos; _cap: of the height of the rows that touch a pole.
     float tan_width, tan_height, sin_width, versin_width, sin_height, versin_height, sin_cap, versin_cap;
-    float pad0;
+    float least_pixel;  // length of a pixel, units of R, from which this level of detail serves, for an error of one pixel
+    float pad0, pad1, pad2;
 };
 
 struct RenderParams {
@@ -183,9 +189,9 @@ struct ProbeHit {
 #ifdef __cplusplus
 static_assert(sizeof(ProbeRay) == 80);
 static_assert(sizeof(ProbeHit) == 48);
-static_assert(sizeof(ObjectData) == 25 * 16 + 20 * 4);
+static_assert(sizeof(ObjectData) == 25 * 16 + 24 * 4);
 static_assert(sizeof(LightData) == 32);
-static_assert(sizeof(MapData) == 24 * 4);
+static_assert(sizeof(MapData) == 28 * 4);
 static_assert(sizeof(RenderParams) == 32);
 static_assert(sizeof(RetryHead) == 16);
 }  // namespace dsphere::layout

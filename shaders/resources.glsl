@@ -12,9 +12,10 @@ layout(constant_id = SPEC_PLANES) const uint kPlanes = 0u;
 layout(constant_id = SPEC_IMAGES) const int kImages = 0;
 layout(constant_id = SPEC_THRESHOLD) const float kThreshold = 3e-6;
 layout(constant_id = SPEC_STRIDE) const float kStride = 1.0;
+layout(constant_id = SPEC_DETAIL) const float kDetail = 0.0;
 
 layout(std140, binding = BINDING_OBJECTS) uniform Objects { ObjectData objects[MAX_OBJECTS]; };
-layout(std140, binding = BINDING_MAPS) uniform Maps { MapData maps[MAX_OBJECTS]; };
+layout(std140, binding = BINDING_MAPS) uniform Maps { MapData maps[MAX_OBJECTS * MAX_LEVELS]; };
 layout(std140, binding = BINDING_LIGHTS) uniform Lights { LightData lights[MAX_LIGHTS]; };
 layout(std430, binding = BINDING_RAMPS) readonly buffer Ramps { vec4 ramp_points[]; };
 layout(binding = BINDING_HEIGHTS, r32f) readonly uniform image2DArray heights;
@@ -24,7 +25,9 @@ layout(binding = BINDING_IMAGES, r32ui) readonly uniform uimage2DArray images;
 
 // Storage images, not textures: filtering may snap weights to 8 bits, and on lavapipe a load costs half a texelFetch.
 float heightAt(MapData map, int column, int row) {
-    return imageLoad(heights, ivec3(column, map.heights_y + row, map.layer)).x;
+    // Only levels of detail do not start at the image's left edge.
+    int x = kDetail > 0.0 ? map.heights_x + column : column;
+    return imageLoad(heights, ivec3(x, map.heights_y + row, map.layer)).x;
 }
 
 // Levels above the finest lie side by side below it, each face in 1.5 side rows.

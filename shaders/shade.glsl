@@ -4,6 +4,7 @@
 struct SurfacePoint {
     bool hit, inside, exhausted, doubtful;
     int object, steps;
+    int level;  // of detail that its map was marched at
     float t;
     vec3 from_first;  // position seen from object 0's centre
     vec3 position, normal;
@@ -22,12 +23,30 @@ bool isNearer(SurfacePoint best, float t, vec3 towards, vec3 from_first) {
     return far && !best.inside ? dot(towards, from_first - best.from_first) < 0.0 : t < best.t;
 }
 
+// The coarsest level of object k's map that is off by kDetail pixels at most all along a camera's ray: where it enters
+// the shell, pixels are smallest.
+int levelFor(int k, ObjectData object, Ray ray) {
+    if (kDetail <= 0.0) return 0;
+    float half_chord = sqrt(max(object.shell_squared - ray.c2, 0.0));
+    float distance = max(-half_chord - ray.s_min, 0.0);
+    float pixels = kDetail * (object.pixel_size + distance * object.pixel_growth);
+    int level = 0;
+    for (int next = 1; next < MAX_LEVELS; ++next)
+        level = pixels >= maps[next * MAX_OBJECTS + k].least_pixel ? next : level;
+    return level;
+}
+
+MapData mapOf(int k, int level) {
+    return maps[level * MAX_OBJECTS + k];
+}
+
 // Keeps object k's hit if it is the nearest so far.
 void considerObject(inout SurfacePoint best, int k, vec2 raster, vec2 jitter) {
     ObjectData object = objects[k];
-    MapData map = maps[k];
     vec2 pixel = raster - vec2(object.anchor_x, object.anchor_y);
-    ObjectHit hit = hitObject(object, map, cameraRay(object, pixel, jitter));
+    Ray ray = cameraRay(object, pixel, jitter);
+    int level = levelFor(k, object, ray);
+    ObjectHit hit = hitObject(object, mapOf(k, level), ray);
     best.steps += hit.steps;
     best.exhausted = best.exhausted || hit.exhausted;
     best.doubtful = best.doubtful || hit.doubtful;
@@ -38,6 +57,7 @@ void considerObject(inout SurfacePoint best, int k, vec2 raster, vec2 jitter) {
         best.hit = true;
         best.inside = hit.inside;
         best.object = k;
+        best.level = level;
         best.t = t;
         best.from_first = from_first;
         best.position = worldFromObjectPoint(object, hit.p);
@@ -59,6 +79,7 @@ SurfacePoint nearestHit(vec2 raster, vec2 jitter) {
     best.doubtful = false;
     best.object = -1;
     best.steps = 0;
+    best.level = 0;
     best.t = kInfinity;
     for (int k = 0; k < kObjectCount; ++k) considerObject(best, k, raster, jitter);
     return best;
@@ -82,7 +103,9 @@ bool shades(int k, SurfacePoint point, LightData light, bool ends, inout bool do
         start = objectFromWorldPoint(object, worldFromObjectPoint(objects[point.object], point.start));
     vec3 offset = ends ? objectFromWorldPoint(object, light.position.xyz) - start
                        : objectFromWorldVector(object, light.position.xyz);
-    return blocks(object, maps[k], secondaryRay(start, offset, ends), doubtful);
+    // P' stands on the level that the camera's ray met; other objects throw the shadows of their maps.
+    MapData map = mapOf(k, k == point.object ? point.level : 0);
+    return blocks(object, map, secondaryRay(start, offset, ends), doubtful);
 }
 
 // Whether the light is seen from P'. `doubtful` is set where another precision must decide.

@@ -144,8 +144,8 @@ Scene seenFrom(Scene scene, const View& view) {
 
 }  // namespace
 
-DeviceView::DeviceView(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const View& view)
-    : scene_(seenFrom(scene, view)), packed_(packScene(scene_, maps)), renderer_(device, packed_, scene_, {}) {}
+DeviceView::DeviceView(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const View& view, Levels levels)
+    : scene_(seenFrom(scene, view)), packed_(packScene(scene_, maps, levels)), renderer_(device, packed_, scene_, {}) {}
 
 void DeviceView::look(const View& view) {
     scene_.camera = view.camera;
@@ -169,7 +169,8 @@ double timeDeviceSetup(gpu::Device& device, const Workload& workload, const View
     bool smooth = method.engine == Engine::SmoothSphere;
     double start = wallSeconds();
     SceneMaps none = noMaps();
-    DeviceView made(device, smooth ? smoothScene(workload) : workload.scene, smooth ? none : workload.maps, view);
+    DeviceView made(device, smooth ? smoothScene(workload) : workload.scene, smooth ? none : workload.maps, view,
+                    method.levels());
     made.renderer().setMethod(method.march);
     made.renderer().renderPlanes(kPrimary, {});
     return wallSeconds() - start;

@@ -7,7 +7,8 @@ namespace dsphere::bench {
 /// A scene on the device, seen from one view after another.
 class DeviceView {
   public:
-    DeviceView(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const View& view);
+    DeviceView(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const View& view,
+               Levels levels = Levels::Finest);
 
     void look(const View& view);
     Renderer& renderer() { return renderer_; }

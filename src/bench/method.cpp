@@ -24,6 +24,9 @@ Method mesh(const char* family, Engine engine, int coarsening) {
 std::vector<Method> allMethods() {
     std::vector<Method> methods = {
         march("exact", "", Marcher::Exact),
+        march("detail", "1/2", {Marcher::Exact, MarchMethod().threshold, 0.5f}),
+        march("detail", "1", {Marcher::Exact, MarchMethod().threshold, 1.0f}),
+        march("detail", "2", {Marcher::Exact, MarchMethod().threshold, 2.0f}),
         march("naive", "1e-4", {Marcher::Naive, 1e-4f}),
         march("naive", "3e-5", {Marcher::Naive, 3e-5f}),
         march("naive", "3e-6", {Marcher::Naive, 3e-6f}),

@@ -17,6 +17,7 @@ struct Method {
     MarchMethod march;   ///< Device
     int coarsening = 1;  ///< meshes: every n-th node of the map is a vertex
 
+    Levels levels() const { return march.detail > 0.0f ? Levels::All : Levels::Finest; }
     bool isMesh() const { return engine == Engine::GridMesh || engine == Engine::TriangleMesh; }
     /// The floor has no error: it is another surface.
     bool hasError() const { return engine != Engine::SmoothSphere; }

@@ -92,6 +92,7 @@ class WorkloadRun {
     void finish(Entry& entry, const View& view, const std::vector<std::size_t>& pixels, const Answers& exact,
                 ViewResult& result);
     Spread setup(const Method& method, const View& view);
+    DeviceView& viewFor(const Method& method);
     double unit() const { return workload_.maps.reliefs[0].greatest_radius; }
 
     struct BuiltMesh {
@@ -105,6 +106,7 @@ class WorkloadRun {
     const Plan& plan_;
     Meter& meter_;
     DeviceView planet_, smooth_;
+    std::optional<DeviceView> detailed_;  ///< the planet with its levels of detail, once a method wants them
     verify::Comparison comparison_;
     std::vector<BuiltMesh> meshes_;  ///< one a method; unused for the device's
 };
@@ -135,6 +137,13 @@ Spread WorkloadRun::setup(const Method& method, const View& view) {
     return spreadOf(seconds);
 }
 
+DeviceView& WorkloadRun::viewFor(const Method& method) {
+    if (method.engine == Engine::SmoothSphere) return smooth_;
+    if (method.levels() == Levels::Finest) return planet_;
+    if (!detailed_) detailed_.emplace(device_, workload_.scene, workload_.maps, workload_.views.at(0), Levels::All);
+    return *detailed_;
+}
+
 std::vector<Entry> WorkloadRun::enter(const View& view) {
     std::vector<Entry> entries;
     std::uint64_t film = std::uint64_t(cropBox(view.film).width()) * std::uint64_t(cropBox(view.film).height()) * 4;
@@ -151,7 +160,7 @@ std::vector<Entry> WorkloadRun::enter(const View& view) {
                 entry.result.memory_bytes = mesh.scene->memoryBytes() + film;
             }
         } else {
-            DeviceView& on = method.engine == Engine::SmoothSphere ? smooth_ : planet_;
+            DeviceView& on = viewFor(method);
             entry.contender = makeDeviceContender(on, method, unit(), [this] { return meter_.update(); });
             entry.result.memory_bytes = on.renderer().mapBytes() + film;
         }
@@ -210,6 +219,8 @@ ViewResult WorkloadRun::runView(std::size_t index) {
                       box.height(),
                       0.0,
                       {}};
+    if (std::ranges::any_of(plan_.methods, [](const Method& method) { return method.levels() == Levels::All; }))
+        viewFor(*std::ranges::find(plan_.methods, Levels::All, &Method::levels)).look(view);
     planet_.look(view);
     smooth_.look(view);
     std::vector<std::size_t> pixels =

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 
 namespace dsphere::cli {
@@ -19,12 +20,28 @@ struct RenderOptions {
     SceneOptions scene;
     std::string outfile, aov;
     double exposure = 0.0;
+    float detail = 0.0f;  ///< pixels; 0: exact
 };
 
 using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void addDetail(CLI::App& command, float& detail) {
+    const CLI::callback_t read = [&detail](const CLI::results_t& words) {
+        detail = 0.0f;
+        if (words[0] == "exact") return true;
+        if (!CLI::detail::lexical_cast(words[0], detail) || !(detail > 0.0f) || !std::isfinite(detail))
+            throw CLI::ValidationError("--detail", "expected exact or a number of pixels above 0, not " + words[0]);
+        return true;
+    };
+    command
+        .add_option("--detail", read,
+                    "exact (the default), or how many pixels the surface may be off where texels are smaller than "
+                    "pixels: faster, and without aliasing")
+        ->type_name("exact|PIXELS");
 }
 
 // As pbrt stores them: row vectors, so the matrix is transposed against ours.
@@ -128,10 +145,12 @@ int runRender(const RenderOptions& options) {
     std::filesystem::path path = options.outfile.empty() ? scene.film.filename : options.outfile;
     int samples = scene.sampler.pixel_samples;
     std::uint32_t aovs = checkOutput(options, path, samples);
+    if (options.detail > 0.0f && options.scene.marcher != Marcher::Exact)
+        throw Error(ExitCode::Usage, "--detail is of the exact marcher; the baselines march the map itself");
     SceneMaps maps = loadSceneMaps(scene);
-    PackedScene packed = packScene(scene, maps);
+    PackedScene packed = packScene(scene, maps, options.detail > 0.0f ? Levels::All : Levels::Finest);
     gpu::Device device = openDevice(options.common);
-    Renderer renderer(device, packed, scene, options.scene.marcher);
+    Renderer renderer(device, packed, scene, {options.scene.marcher, MarchMethod().threshold, options.detail});
 
     Image image;
     {
@@ -169,6 +188,7 @@ void addRender(CLI::App& app, Action& action) {
                      "steps,residual")
         ->type_name("LIST");
     command->add_option("--exposure", options->exposure, "Stops to brighten a .png by");
+    addDetail(*command, options->detail);
     addCommonOptions(*command, options->common);
     command->callback([options, &action] { action = [options] { return runRender(*options); }; });
 }

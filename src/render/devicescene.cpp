@@ -4,19 +4,21 @@
 #include "gpu/device.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace dsphere {
 
 namespace {
 
-/// Stacks rectangles of one width into layers of one height.
+/// Stacks rectangles of one width into layers of one height; narrow ones may stand side by side.
 struct Stack {
     int width = 1, height = 1, layers = 1;
     int limit = 1;  ///< greatest height
     int next_y = 0;
+    int shelf_x = 0, shelf_y = 0;  ///< where the last rectangle has room beside it
 
     struct Place {
-        int y, layer;
+        int y, layer, x = 0;
     };
 
     Place add(int w, int h) {
@@ -25,9 +27,19 @@ struct Stack {
             next_y = 0;
         }
         Place place{next_y, layers - 1};
+        shelf_x = w;
+        shelf_y = next_y;
         next_y += h;
         width = std::max(width, w);
         height = std::max(height, next_y);
+        return place;
+    }
+
+    /// Beside the last rectangle where it fits, else as add().
+    Place addBeside(int w, int h) {
+        if (shelf_x == 0 || shelf_x + w > width || shelf_y + h > next_y) return add(w, h);
+        Place place{shelf_y, layers - 1, shelf_x};
+        shelf_x += w;
         return place;
     }
 };
@@ -56,8 +68,8 @@ void uploadNodes(gpu::StorageImage& image, const NodeGrid& nodes, Stack::Place p
         chunk.resize(width * std::size_t(count));
         for (int j = 0; j < count; ++j)
             std::copy_n(nodes.row(first + j), width, chunk.begin() + std::ptrdiff_t(width) * j);
-        image.upload(std::uint32_t(place.layer), 0, std::uint32_t(place.y + first), std::uint32_t(width),
-                     std::uint32_t(count), chunk.data());
+        image.upload(std::uint32_t(place.layer), std::uint32_t(place.x), std::uint32_t(place.y + first),
+                     std::uint32_t(width), std::uint32_t(count), chunk.data());
     }
 }
 
@@ -82,10 +94,18 @@ struct DeviceScene::Layout {
     std::vector<int> centre_rows;       ///< in the edges, one an object
     std::vector<layout::MapData> maps;  ///< one a relief
 
+    /// All levels of detail; one that is not there serves no pixel.
     std::vector<layout::MapData> ofObjects(const PackedScene& packed) const {
-        std::vector<layout::MapData> result;
-        for (int relief : packed.relief_of_object)
-            result.push_back(relief < 0 ? layout::MapData{} : maps[std::size_t(relief)]);
+        layout::MapData none = {};
+        none.least_pixel = std::numeric_limits<float>::infinity();
+        std::vector<layout::MapData> result(std::size_t(MAX_OBJECTS * MAX_LEVELS), none);
+        for (std::size_t k = 0; k < packed.relief_of_object.size(); ++k) {
+            int relief = packed.relief_of_object[k];
+            for (std::size_t level = 0; relief >= 0 && level < MAX_LEVELS; ++level) {
+                result[level * MAX_OBJECTS + k] = maps[std::size_t(relief)];
+                relief = packed.reliefs[std::size_t(relief)].coarser;
+            }
+        }
         return result;
     }
 
@@ -123,11 +143,12 @@ struct DeviceScene::Layout {
                 throwInvalid("{}: a map of {}x{} texels takes an image of {}x{}, but those of {} end at {}x{}",
                              nodes->map().path, nodes->map().width, nodes->map().height, nodes->width(),
                              nodes->rows() + 1, device.info().name, limit, limit);
-            node_places.push_back(heights.add(nodes->width(), nodes->rows() + 1));
+            node_places.push_back(heights.addBeside(nodes->width(), nodes->rows() + 1));
         }
         for (const PackedRelief& relief : packed.reliefs) {
             layout::MapData data = relief.shader.data;
             Stack::Place nodes = node_places[std::size_t(relief.map)];
+            data.heights_x = nodes.x;
             data.heights_y = nodes.y;
             data.layer = nodes.layer;
             bound_places.push_back(bounds.add(relief.bounds.side, relief.bounds.imageHeight()));
@@ -145,7 +166,8 @@ DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed)
 
 DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, const Layout& layout)
     : objects_(makeBuffer(device, gpu::Buffer::Usage::Uniform, layout.placedObjects(packed), MAX_OBJECTS, "objects")),
-      maps_(makeBuffer(device, gpu::Buffer::Usage::Uniform, layout.ofObjects(packed), MAX_OBJECTS, "maps")),
+      maps_(
+          makeBuffer(device, gpu::Buffer::Usage::Uniform, layout.ofObjects(packed), MAX_OBJECTS * MAX_LEVELS, "maps")),
       lights_(makeBuffer(device, gpu::Buffer::Usage::Uniform, packed.lights, MAX_LIGHTS, "lights")),
       ramps_(makeBuffer(device, gpu::Buffer::Usage::Storage, packed.ramp_points, packed.ramp_points.size(), "ramps")),
       heights_(makeImage(device, gpu::Format::R32Float, layout.heights, "heights")),

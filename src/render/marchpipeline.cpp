@@ -40,6 +40,7 @@ gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const PackedScene& p
     specialization[SPEC_THRESHOLD] = std::bit_cast<std::uint32_t>(method.threshold);
     specialization[SPEC_STRIDE] =
         std::bit_cast<std::uint32_t>(method.marcher == Marcher::Lipschitz ? safeStride(packed) : 1.0f);
+    specialization[SPEC_DETAIL] = std::bit_cast<std::uint32_t>(method.detail);
     std::uint32_t push_bytes = shader == Shader::Render ? sizeof(layout::RenderParams) : 0;
     return gpu::ComputePipeline(device, spirv, bindings, specialization, push_bytes,
                                 shader == Shader::Render ? "render" : "probe");

@@ -1,6 +1,7 @@
 #include "render/pack.h"
 
 #include "base/error.h"
+#include "render/packlevels.h"
 #include "scene/ramps.h"
 
 #include <algorithm>
@@ -82,6 +83,21 @@ void packCameraRays(ObjectData& object, const Frame& frame, const Raster& raster
     object.start_y = narrow(raster.start.down, 0.0);
 }
 
+// What a pixel spans at least: directions grow towards the picture's corners, and rays are counted by their length.
+void packPixelSize(ObjectData& object, const Frame& frame, const Raster& raster) {
+    auto least = [&](const RasterLinear& linear) {
+        return std::min(glm::length(transformVector(frame.object_from_world, linear.right)),
+                        glm::length(transformVector(frame.object_from_world, linear.down)));
+    };
+    double longest = 0.0;
+    for (double x : {0.0, double(raster.width)})
+        for (double y : {0.0, double(raster.height)})
+            longest =
+                std::max(longest, glm::length(transformVector(frame.object_from_world, raster.direction.at(x, y))));
+    object.pixel_size = float(least(raster.start) / frame.unit);
+    object.pixel_growth = float(least(raster.direction) / longest);
+}
+
 void packTransforms(ObjectData& object, const Frame& frame) {
     dmat4 to_object = glm::transpose(frame.object_from_world);  // columns are now rows
     dmat4 to_world = glm::transpose(frame.world_from_object);
@@ -128,29 +144,32 @@ void packMaterial(ObjectData& object, const Shape& shape, const Relief& relief) 
     if (const auto* ramp = std::get_if<HeightRamp>(&shape.material.reflectance)) object.ramp = findRamp(ramp->ramp);
 }
 
-int findOrAddRelief(PackedScene& packed, int map, const Relief& relief) {
+int findOrAddRelief(PackedScene& packed, int map, const Relief& relief, Levels levels) {
     double base = relief.base / relief.greatest_radius, scale = relief.scale / relief.greatest_radius;
     for (std::size_t i = 0; i < packed.reliefs.size(); ++i) {
         const PackedRelief& other = packed.reliefs[i];
         if (other.map == map && other.base == base && other.scale == scale) return int(i);
     }
-    PackedRelief added{map, base, scale, {}, {}};
+    PackedRelief added{map, base, scale, {}, {}, -1};
     const NodeGrid& nodes = *packed.nodes[std::size_t(map)];
     added.bounds = buildBounds(nodes, relief);
     added.shader = packMap(nodes, added.bounds);
     packed.reliefs.push_back(std::move(added));
-    return int(packed.reliefs.size()) - 1;
+    const int index = int(packed.reliefs.size()) - 1;
+    if (levels == Levels::All) packLevels(packed, index, relief);
+    return index;
 }
 
 /// Fills what depends on the kind of shape and returns the length that is 1 in the shader's object space.
-double packGeometry(ObjectData& object, PackedScene& packed, const Shape& shape, int map, const Relief& relief) {
+double packGeometry(ObjectData& object, PackedScene& packed, const Shape& shape, int map, const Relief& relief,
+                    Levels levels) {
     packed.relief_of_object.push_back(-1);
     object.base = 1.0f;
     object.offset = float(kSecondaryOffset);
     object.shell_squared = float((1.0 + Bounds::kSlack) * (1.0 + Bounds::kSlack)) + 1.2e-7f;
     if (std::holds_alternative<DisplacedSphere>(shape.geometry)) {
         object.kind = KIND_DISPLACED;
-        packed.relief_of_object.back() = findOrAddRelief(packed, map, relief);
+        packed.relief_of_object.back() = findOrAddRelief(packed, map, relief, levels);
         double base = relief.base / relief.greatest_radius;
         object.base = float(base);
         object.base_lo = float(base - double(object.base));
@@ -178,11 +197,14 @@ layout::LightData packLight(const Light& light) {
 
 void packCamera(PackedScene& packed, const Scene& scene) {
     Raster raster = makeRaster(scene.camera, scene.film);
-    for (std::size_t i = 0; i < scene.shapes.size(); ++i)
-        packCameraRays(packed.objects[i], frameOf(scene.shapes[i], packed.units[i]), raster);
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+        const Frame frame = frameOf(scene.shapes[i], packed.units[i]);
+        packCameraRays(packed.objects[i], frame, raster);
+        packPixelSize(packed.objects[i], frame, raster);
+    }
 }
 
-PackedScene packScene(const Scene& scene, const SceneMaps& maps) {
+PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels) {
     if (scene.shapes.size() > std::size_t(MAX_OBJECTS))
         throwInvalid("{}: {} shapes; at most {} are supported", scene.name, scene.shapes.size(), MAX_OBJECTS);
     if (scene.lights.size() > std::size_t(MAX_LIGHTS))
@@ -195,7 +217,7 @@ PackedScene packScene(const Scene& scene, const SceneMaps& maps) {
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         const Shape& shape = scene.shapes[i];
         ObjectData object = {};
-        packed.units.push_back(packGeometry(object, packed, shape, maps.map_of_shape[i], maps.reliefs[i]));
+        packed.units.push_back(packGeometry(object, packed, shape, maps.map_of_shape[i], maps.reliefs[i], levels));
         packTransforms(object, frameOf(shape, packed.units.back()));
         object.from_first = narrow(centreOf(shape) - centreOf(scene.shapes[0]), 0.0);
         packMaterial(object, shape, maps.reliefs[i]);

@@ -12,30 +12,37 @@
 
 namespace dsphere {
 
-/// A map under one relief: its nodes and bounds, ready to upload. Several may share their nodes.
+/// A map, or one of its levels of detail, under one relief: its nodes and bounds, ready to upload. Several may share
+/// their nodes.
 struct PackedRelief {
-    int map = 0;                     ///< index in SceneMaps::maps and PackedScene::nodes
+    int map = 0;                     ///< index in PackedScene::nodes
     double base = 1.0, scale = 0.0;  ///< r = base + scale * stored value, units of R
     Bounds bounds;
     PackedMap shader;
+    int coarser = -1;  ///< index in PackedScene::reliefs of the next level of detail; -1: none
 };
+
+/// Which levels of detail of its maps a scene is packed with.
+enum class Levels { Finest, All };
 
 struct PackedScene {
     std::vector<layout::ObjectData> objects;  ///< one a shape, in order
     std::vector<double> units;                ///< of each, the object-space length that is 1 on the device
     std::vector<int> relief_of_object;        ///< index in `reliefs`, -1: none
     std::vector<layout::LightData> lights;
-    std::vector<std::unique_ptr<NodeGrid>> nodes;  ///< one a map of SceneMaps, which they refer to
-    std::vector<PackedRelief> reliefs;             ///< distinct ones
-    std::vector<ImageWords> images;                ///< one an image of SceneMaps, which they refer to
-    std::vector<int> image_of_object;              ///< index in `images`, -1: none
-    std::vector<PackedCentres> centres;            ///< one an object, empty without an image
-    std::vector<layout::vec4> ramp_points;         ///< all ramps, RAMP_POINTS each
-    std::uint32_t kinds = 0;                       ///< bit per KIND_ in use
+    std::vector<std::unique_ptr<Heightmap>> halves;  ///< levels of detail beyond the maps of SceneMaps
+    std::vector<std::unique_ptr<NodeGrid>> nodes;    ///< one a map of SceneMaps, then one a half, which they refer to
+    std::vector<int> half_of_nodes;                  ///< of packLevels
+    std::vector<PackedRelief> reliefs;               ///< distinct ones, and their levels of detail
+    std::vector<ImageWords> images;                  ///< one an image of SceneMaps, which they refer to
+    std::vector<int> image_of_object;                ///< index in `images`, -1: none
+    std::vector<PackedCentres> centres;              ///< one an object, empty without an image
+    std::vector<layout::vec4> ramp_points;           ///< all ramps, RAMP_POINTS each
+    std::uint32_t kinds = 0;                         ///< bit per KIND_ in use
 };
 
 /// Error (InvalidInput) with more than MAX_OBJECTS shapes, MAX_LIGHTS lights, or MAX_MARCHES rays a pixel.
-PackedScene packScene(const Scene& scene, const SceneMaps& maps);
+PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels = Levels::Finest);
 
 /// Gives a packed scene the camera and film of `scene`, which has changed in nothing else.
 void packCamera(PackedScene& packed, const Scene& scene);

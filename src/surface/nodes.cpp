@@ -7,12 +7,12 @@
 namespace dsphere {
 
 namespace {
-constexpr int kLeastWidth = 512, kLeastRows = 256;
 
 int evenFactor(int least, int count) {
     int factor = (least + count - 1) / count;
     return std::max(2, factor + factor % 2);
 }
+
 }  // namespace
 
 NodeGrid::NodeGrid(const Heightmap& map) : map_(map) {

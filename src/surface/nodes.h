@@ -11,6 +11,8 @@ namespace dsphere {
 /// copied.
 class NodeGrid {
   public:
+    static constexpr int kLeastWidth = 512, kLeastRows = 256;  ///< a grid with fewer is subdivided
+
     /// Keeps a reference to `map`, which must outlive the grid.
     explicit NodeGrid(const Heightmap& map);
 

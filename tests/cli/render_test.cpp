@@ -158,6 +158,13 @@ TEST_F(RenderTest, EveryMarcherRenders) {
         EXPECT_EQ(run({"render", "planet.pbrt", "--quick", "--marcher", marcher}).code, 0) << marcher;
 }
 
+TEST_F(RenderTest, DetailIsExactByDefault) {
+    EXPECT_EQ(run({"render", "planet.pbrt", "--aov", "t", "-o", "plain.exr"}).code, 0);
+    EXPECT_EQ(run({"render", "planet.pbrt", "--aov", "t", "--detail", "exact", "-o", "exact.exr"}).code, 0);
+    EXPECT_EQ(run({"render", "planet.pbrt", "--aov", "t", "--detail", "0.5", "-o", "half.exr"}).code, 0);
+    EXPECT_EQ(run({"diff", "plain.exr", "exact.exr", "--threshold", "0"}).code, 0);
+}
+
 TEST_F(RenderTest, ValidationIsClean) {
     Outcome outcome = run({"render", "planet.pbrt", "--validation", "--aov", "all"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;

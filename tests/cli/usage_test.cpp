@@ -85,6 +85,10 @@ INSTANTIATE_TEST_SUITE_P(
         UsageCase{render({"--cropwindow", "0,1,0,nan"}), "--cropwindow"},
         UsageCase{render({"--marcher", "quick"}), "exact|naive|naive-shell|lipschitz"},
         UsageCase{render({"--marcher", "1"}), "--marcher"},
+        UsageCase{render({"--detail", "fine"}), "expected exact or a number of pixels above 0, not fine"},
+        UsageCase{render({"--detail", "0"}), "--detail"}, UsageCase{render({"--detail", "-1"}), "--detail"},
+        UsageCase{render({"--detail", "nan"}), "--detail"},
+        UsageCase{render({"--detail", "1", "--marcher", "naive"}), "--detail"},
         UsageCase{render({"--progress", "maybe"}), "auto|always|never"},
         UsageCase{{"verify", "planet.pbrt", "--sample", "-3"}, "--sample"},
         UsageCase{{"verify", "planet.pbrt", "--spp", "3"}, "--spp"}, UsageCase{{"devices", "extra"}, "extra"}));

@@ -14,13 +14,14 @@
             V(albedo) F(anchor_x) F(anchor_y) F(base) F(base_lo) F(scale) F(ramp_offset) F(ramp_scale)                \
                 F(shell_squared) F(inner_squared) F(offset) I(kind) I(ramp) V(image_north) V(image_south) I(image)    \
                     I(image_width) I(image_height) I(image_y) I(image_layer) I(image_centres_y) F(image_shift)        \
-                        F(image_scale)
+                        F(image_scale) F(pixel_size) F(pixel_growth) F(pad0) F(pad1)
 
 #define LIGHT_FIELDS(V) V(position) V(radiance)
 
 #define MAP_FIELDS(F, I)                                                                                               \
     I(width)                                                                                                           \
     I(rows)                                                                                                            \
+    I(heights_x)                                                                                                       \
     I(heights_y)                                                                                                       \
     I(layer)                                                                                                           \
     I(bounds_y)                                                                                                        \
@@ -28,7 +29,7 @@
     I(bounds_side)                                                                                                     \
     I(start_side) I(edges_y) I(caps) F(columns_per_turn) F(first_column) F(cells_per_radian_u) F(cells_per_radian_v)   \
         F(cap_shift) F(tan_width) F(tan_height) F(sin_width) F(versin_width) F(sin_height) F(versin_height) F(sin_cap) \
-            F(versin_cap) F(pad0)
+            F(versin_cap) F(least_pixel) F(pad0) F(pad1) F(pad2)
 
 #define PROBE_RAY_FIELDS(V, U) V(point) V(point_lo) V(direction) V(direction_lo) U(flags) U(pad0) U(pad1) U(pad2)
 
