@@ -134,6 +134,14 @@ StorageImage::StorageImage(Device& device, Format format, std::uint32_t width, s
 
 void StorageImage::upload(std::uint32_t layer, std::uint32_t x, std::uint32_t y, std::uint32_t width,
                           std::uint32_t height, const void* pixels) {
+    const std::uint64_t row_bytes = std::uint64_t(width) * texelBytes(format_);
+    uploadRows(layer, x, y, width, height, [&](std::uint32_t first, std::uint32_t count, std::byte* target) {
+        std::memcpy(target, static_cast<const std::byte*>(pixels) + first * row_bytes, count * row_bytes);
+    });
+}
+
+void StorageImage::uploadRows(std::uint32_t layer, std::uint32_t x, std::uint32_t y, std::uint32_t width,
+                              std::uint32_t height, const FillRows& fill) {
     assert(layer < layers_ && x <= width_ && width <= width_ - x && y <= height_ && height <= height_ - y);
     if (width == 0 || height == 0) return;
     const std::uint64_t row_bytes = std::uint64_t(width) * texelBytes(format_);
@@ -142,7 +150,7 @@ void StorageImage::upload(std::uint32_t layer, std::uint32_t x, std::uint32_t y,
     CommandBuffer commands(*device_, "image upload");
     for (std::uint32_t row = 0; row < height; row += chunk) {
         const std::uint32_t rows = std::min(chunk, height - row);
-        std::memcpy(staging.mapped().data(), static_cast<const std::byte*>(pixels) + row * row_bytes, rows * row_bytes);
+        fill(row, rows, staging.mapped().data());
         staging.flush();
         commands.begin();
         // Earlier writes of the same texels come first; earlier reads need the order alone.

@@ -4,6 +4,7 @@
 #include "gpu/device.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 namespace dsphere {
@@ -58,32 +59,25 @@ gpu::StorageImage makeImage(gpu::Device& device, gpu::Format format, const Stack
                              std::uint32_t(stack.layers), name);
 }
 
-// A row at a time would be one submission a row; a few megabytes at a time keeps both count and memory low.
 void uploadNodes(gpu::StorageImage& image, const NodeGrid& nodes, Stack::Place place) {
-    std::size_t width = std::size_t(nodes.width());
-    int rows_at_once = std::max(1, int((4u << 20) / (width * sizeof(float))));
-    std::vector<float> chunk;
-    for (int first = 0; first <= nodes.rows(); first += rows_at_once) {
-        int count = std::min(rows_at_once, nodes.rows() + 1 - first);
-        chunk.resize(width * std::size_t(count));
-        for (int j = 0; j < count; ++j)
-            std::copy_n(nodes.row(first + j), width, chunk.begin() + std::ptrdiff_t(width) * j);
-        image.upload(std::uint32_t(place.layer), std::uint32_t(place.x), std::uint32_t(place.y + first),
-                     std::uint32_t(width), std::uint32_t(count), chunk.data());
-    }
+    std::size_t row_bytes = std::size_t(nodes.width()) * sizeof(float);
+    image.uploadRows(std::uint32_t(place.layer), std::uint32_t(place.x), std::uint32_t(place.y),
+                     std::uint32_t(nodes.width()), std::uint32_t(nodes.rows() + 1),
+                     [&](std::uint32_t first, std::uint32_t count, std::byte* target) {
+                         for (std::uint32_t j = 0; j < count; ++j)
+                             std::memcpy(target + j * row_bytes, nodes.row(int(first + j)), row_bytes);
+                     });
 }
 
-// A few megabytes at a time, as nodes.
+// appendRow() makes each row anew, so they are not made before there is room for them.
 void uploadImage(gpu::StorageImage& image, const ImageWords& source, Stack::Place place) {
-    int rows_at_once = std::max(1, (1 << 20) / source.width());
     std::vector<std::uint32_t> words;
-    for (int first = 0; first < source.height(); first += rows_at_once) {
-        int count = std::min(rows_at_once, source.height() - first);
-        words.clear();
-        for (int j = first; j < first + count; ++j) source.appendRow(j, words);
-        image.upload(std::uint32_t(place.layer), 0, std::uint32_t(place.y + first), std::uint32_t(source.width()),
-                     std::uint32_t(count), words.data());
-    }
+    image.uploadRows(std::uint32_t(place.layer), 0, std::uint32_t(place.y), std::uint32_t(source.width()),
+                     std::uint32_t(source.height()), [&](std::uint32_t first, std::uint32_t count, std::byte* target) {
+                         words.clear();
+                         for (std::uint32_t j = 0; j < count; ++j) source.appendRow(int(first + j), words);
+                         std::memcpy(target, words.data(), words.size() * sizeof(words[0]));
+                     });
 }
 
 }  // namespace

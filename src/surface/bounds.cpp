@@ -19,6 +19,22 @@ struct Footprint {
     Range longitude, colatitude;
 };
 
+/// The extent of a cell in one face coordinate, and the angles from the face's middle to its ends.
+struct Side : Range {
+    Range angle;
+};
+
+/// Of all cells along a face's edge, dilated.
+std::vector<Side> sidesOf(int side) {
+    std::vector<Side> sides;
+    for (int i = 0; i < side; ++i) {
+        double width = 2.0 / side;
+        Range extent{i * width - 1.0 - Bounds::kDilation, (i + 1) * width - 1.0 + Bounds::kDilation};
+        sides.push_back({extent, {std::atan(extent.low), std::atan(extent.high)}});
+    }
+    return sides;
+}
+
 Range squares(Range x) {
     double low = x.low > 0.0 ? x.low : (x.high < 0.0 ? -x.high : 0.0);
     double high = std::max(std::abs(x.low), std::abs(x.high));
@@ -31,19 +47,22 @@ Footprint polarFootprint(double sign, Range z, Range x) {
     double near = std::atan2(std::sqrt(zz.low + xx.low), sign), far = std::atan2(std::sqrt(zz.high + xx.high), sign);
     Footprint box{{-kPi, kPi}, {std::min(near, far), std::max(near, far)}};
     if (zz.low == 0.0 && xx.low == 0.0) return box;
-    double middle = std::atan2(0.5 * (x.low + x.high), 0.5 * (z.low + z.high));
-    double spread = 0.0;
+    double mid_x = 0.5 * (x.low + x.high), mid_z = 0.5 * (z.low + z.high);
+    double middle = std::atan2(mid_x, mid_z);
+    // The pole is outside, so that all corners are less than a quarter turn from the middle, and the tangent tells.
+    double tangent = 0.0;
     for (double cx : {x.low, x.high})
         for (double cz : {z.low, z.high})
-            spread = std::max(spread, std::abs(std::remainder(std::atan2(cx, cz) - middle, 2.0 * kPi)));
+            tangent = std::max(tangent, std::abs(cx * mid_z - cz * mid_x) / (cx * mid_x + cz * mid_z));
+    double spread = std::atan(tangent);
     box.longitude = {middle - spread, middle + spread};
     return box;
 }
 
 // A face around the equator: its vertical edges are meridians, so the longitude range is exact; `across` is the
 // horizontal face coordinate, `longitude_0 + turn * atan(across)` its longitude, y the vertical one.
-Footprint sideFootprint(double longitude_0, double turn, Range across, Range y) {
-    double first = longitude_0 + turn * std::atan(across.low), last = longitude_0 + turn * std::atan(across.high);
+Footprint sideFootprint(double longitude_0, double turn, const Side& across, Range y) {
+    double first = longitude_0 + turn * across.angle.low, last = longitude_0 + turn * across.angle.high;
     Range squared = squares(across);
     double near = std::sqrt(1.0 + squared.low), far = std::sqrt(1.0 + squared.high);
     Footprint box;
@@ -52,7 +71,7 @@ Footprint sideFootprint(double longitude_0, double turn, Range across, Range y) 
     return box;
 }
 
-Footprint footprint(int face, Range a, Range b) {
+Footprint footprint(int face, const Side& a, const Side& b) {
     bool negative = face % 2 == 1;
     switch (face / 2) {
         case 0:
@@ -88,11 +107,11 @@ double greatestDisplacement(const NodeGrid& nodes, double scale, const Footprint
     return std::max(scale * least, scale * greatest);
 }
 
-void fillFinestRow(Bounds& bounds, const NodeGrid& nodes, const Relief& relief, int face, int j) {
-    double width = 2.0 / bounds.side;
-    Range b{j * width - 1.0 - Bounds::kDilation, (j + 1) * width - 1.0 + Bounds::kDilation};
+void fillFinestRow(Bounds& bounds, const NodeGrid& nodes, const Relief& relief, const std::vector<Side>& sides,
+                   int face, int j) {
+    const Side& b = sides[std::size_t(j)];
     for (int i = 0; i < bounds.side; ++i) {
-        Range a{i * width - 1.0 - Bounds::kDilation, (i + 1) * width - 1.0 + Bounds::kDilation};
+        const Side& a = sides[std::size_t(i)];
         double radius = relief.base + greatestDisplacement(nodes, relief.scale, footprint(face, a, b));
         double bound = radius / relief.greatest_radius + Bounds::kSlack;
         bounds.squared[bounds.index(face, 0, i, j)] =
@@ -131,8 +150,9 @@ Bounds buildBounds(const NodeGrid& nodes, const Relief& relief) {
     bounds.side = boundsSide(nodes.width());
     bounds.levels = std::bit_width(unsigned(bounds.side));
     bounds.squared.assign(std::size_t(bounds.side) * std::size_t(bounds.imageHeight()), 0.0f);
+    const std::vector<Side> sides = sidesOf(bounds.side);
     parallelFor(std::size_t(6 * bounds.side), [&](std::size_t task) {
-        fillFinestRow(bounds, nodes, relief, int(task) / bounds.side, int(task) % bounds.side);
+        fillFinestRow(bounds, nodes, relief, sides, int(task) / bounds.side, int(task) % bounds.side);
     });
     parallelFor(6, [&](std::size_t face) { fillCoarser(bounds, int(face)); });
     return bounds;
