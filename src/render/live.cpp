@@ -8,7 +8,7 @@ namespace dsphere {
 LiveFilm::LiveFilm(gpu::Device& device, Renderer& renderer, int width, int height, std::uint32_t mask)
     : device_(device), renderer_(renderer), film_(device, width, height, mask) {}
 
-void LiveFilm::begin(const std::vector<LivePart>& parts, bool centres, std::uint32_t seed) {
+void LiveFilm::begin(const std::vector<LivePart>& parts, Sampling sampling, std::uint32_t seed) {
     box_ = renderer_.crop();
     assert(!parts.empty() && box_.width() <= int(film_.image().width()) &&
            box_.height() <= int(film_.image().height()));
@@ -22,7 +22,7 @@ void LiveFilm::begin(const std::vector<LivePart>& parts, bool centres, std::uint
     }
     film_.clear();
     part_ = 0;
-    first_ = centres ? -1 : 0;
+    first_ = sampling == Sampling::Jittered ? 0 : sampling == Sampling::Centres ? -1 : -2;
     samples_ = 0;
     seed_ = seed;
     seconds_ = 0.0;

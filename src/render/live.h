@@ -15,20 +15,21 @@ struct LivePart {
     int x0 = 0, x1 = 0;
 };
 
+/// Where in the pixels rays go: samples 0, 1, 2..., or one sample at the centres, if need be without cast shadows.
+enum class Sampling { Jittered, Centres, UnshadowedCentres };
+
 /// A picture that grows sample by sample between other work: sample i of it is sample i of Renderer::renderColour.
 class LiveFilm {
   public:
     /// Holds pictures of up to width x height. The renderer must outlive it.
     LiveFilm(gpu::Device& device, Renderer& renderer, int width, int height, std::uint32_t mask);
 
-    /// Starts a picture with the renderer's camera and film, which must fit. `centres`: one sample at the pixels'
-    /// centres, else samples 0, 1, 2...
-    void begin(const std::vector<LivePart>& parts, bool centres, std::uint32_t seed);
+    /// Starts a picture with the renderer's camera and film, which must fit.
+    void begin(const std::vector<LivePart>& parts, Sampling sampling, std::uint32_t seed);
     /// One submission of about `target` seconds at most; true if it completed a sample, which takes several.
     bool step(double target);
 
-    int samples() const { return samples_; }     ///< complete ones
-    bool centres() const { return first_ < 0; }  ///< the one sample is at the pixels' centres
+    int samples() const { return samples_; }                                     ///< complete ones
     bool between() const { return part_ == 0 && runs_.front().share() == 0.0; }  ///< no sample is half done
     int width() const { return box_.width(); }
     int height() const { return box_.height(); }

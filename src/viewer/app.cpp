@@ -86,7 +86,9 @@ void App::startPicture(bool draft) {
     if (stage_->prepareFilm(view_.show, window_.width(), window_.height())) display_.forget();
     stage_->setCamera(control_->camera(), width, height);
     camera_is_new_ = false;
-    stage_->begin(view_, draft || view_.show != Show::Colour);
+    Sampling sampling = view_.show == Show::Colour ? Sampling::Jittered : Sampling::Centres;
+    if (draft) sampling = schedule_.shadows() ? Sampling::Centres : Sampling::UnshadowedCentres;
+    stage_->begin(view_, sampling);
     draft ? schedule_.beginDraft() : schedule_.beginStill();
     begun_ = true;
     published_ = false;
@@ -205,13 +207,14 @@ void App::note(bool shown) {
         "\"film\": [{}, {}], \"window\": [{}, {}], \"frame_ms\": {:.2f}, \"draw_ms\": {:.2f}, \"latency_ms\": {:.2f}, "
         "\"altitude\": {:.9g}, \"marcher\": {}, \"split\": {}, \"divider\": {:.4f}, \"value\": {}, \"panel\": {}, "
         "\"keys\": {}, \"hover\": {}, \"message\": {}, \"error\": {}, \"cursor\": [{:.4f}, {:.4f}], \"scale\": {:.2f}, "
-        "\"exaggeration\": {:.4f}, \"capture\": {}}}",
+        "\"exaggeration\": {:.4f}, \"capture\": {}, \"render_ms\": {:.2f}, \"device_ms\": {:.2f}}}",
         window_.now(), shown, jsonQuoted(figures.file), figures.busy, figures.samples, figures.target_samples,
         schedule_.draft(), figures.width, figures.height, window_.width(), window_.height(), 1e3 * frame_seconds_,
-        1e3 * draw_seconds_, 1e3 * latency, control_ ? control_->altitude() : 0.0, int(view_.method.marcher),
-        view_.split, view_.divider, int(view_.show), ui_.panel_open, ui_.keys_open, jsonQuoted(figures.hover),
-        jsonQuoted(ui_.message), ui_.message_is_error, at.x, at.y, scale_, ui_.tuning.exaggeration,
-        ImGui::GetIO().WantCaptureMouse));
+        1e3 * draw_seconds_, latency < 0.0 ? -1.0 : 1e3 * latency, control_ ? control_->altitude() : 0.0,
+        int(view_.method.marcher), view_.split, view_.divider, int(view_.show), ui_.panel_open, ui_.keys_open,
+        jsonQuoted(figures.hover), jsonQuoted(ui_.message), ui_.message_is_error, at.x, at.y, scale_,
+        ui_.tuning.exaggeration, ImGui::GetIO().WantCaptureMouse, 1e3 * draft_seconds_,
+        stage_ && begun_ ? 1e3 * stage_->film().sampleSeconds() : 0.0));
 }
 
 }  // namespace dsphere::viewer

@@ -34,14 +34,19 @@ class Schedule {
 
     /// Share of the window's sides that drafts have.
     double scale() const { return scale_; }
+    /// Whether drafts have cast shadows: not where even the smallest with them takes too long.
+    bool shadows() const { return shadows_; }
     /// A draft at scale() took so long to render, and its frame so long beyond that.
     void draftTook(double seconds, double overhead);
 
   private:
+    void chooseShadows(double room);
+
     double last_motion_ = -1e9;
     bool current_ = false, draft_ = false;
     int samples_ = 0;
     double scale_ = kLeastScale;
+    bool shadows_ = true;
     double full_cost_ = -1.0;  ///< seconds of a draft at scale 1, smoothed; -1: not known
 };
 

@@ -47,13 +47,13 @@ bool Stage::prepareFilm(Show show, int width, int height) {
     return true;
 }
 
-void Stage::begin(const ViewSettings& view, bool centres) {
+void Stage::begin(const ViewSettings& view, Sampling sampling) {
     const int width = renderer_.crop().width();
     const int middle = view.split ? std::clamp(int(std::lround(view.divider * width)), 0, width) : 0;
     std::vector<LivePart> parts;
     if (middle > 0) parts.push_back({Marcher::Naive, 0, middle});
     if (middle < width) parts.push_back({view.method, middle, width});
-    film_->begin(parts, centres, std::uint32_t(document_->scene.sampler.seed));
+    film_->begin(parts, sampling, std::uint32_t(document_->scene.sampler.seed));
 }
 
 std::optional<Pick> Stage::pick(const dvec2& share) {

@@ -29,7 +29,7 @@ class Stage {
     bool hasFilm() const { return film_.has_value(); }
     LiveFilm& film() { return *film_; }
     /// Starts a picture with the present camera.
-    void begin(const ViewSettings& view, bool centres);
+    void begin(const ViewSettings& view, Sampling sampling);
 
     /// The ray of the film's pixel that holds a point, given as shares of the window.
     std::optional<Pick> pick(const dvec2& share);
