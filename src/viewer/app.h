@@ -1,5 +1,7 @@
 #pragma once
 
+#include <set>
+
 #include "viewer/background.h"
 #include "viewer/camera.h"
 #include "viewer/display.h"
@@ -99,6 +101,7 @@ class App {
     ViewSettings view_;
     ToneSettings tone_;
     Ui ui_;
+    std::set<int> held_;  ///< keys that went down without Control
     Drag drag_ = Drag::None;
     SunAngles grabbed_sun_;
     dvec2 grabbed_cursor_{0.0};

@@ -42,6 +42,7 @@ void App::handle(const Event& event) {
             break;
         case Event::Release:
         case Event::LoseFocus:
+            if (event.kind == Event::LoseFocus) held_.clear();
             if (drag_ != Drag::None) schedule_.settle();
             drag_ = Drag::None;
             break;
@@ -55,6 +56,7 @@ void App::handle(const Event& event) {
             if (!ImGui::GetIO().WantTextInput) key(event);
             break;
         case Event::KeyUp:
+            held_.erase(event.code);
             break;
         case Event::Drop:
             open(event.path);
@@ -73,7 +75,7 @@ void App::press(const Event& event) {
         drag_ = Drag::Divider;
         return;
     }
-    if (left && window_.isDown(GLFW_KEY_L)) {
+    if (left && held_.contains(GLFW_KEY_L)) {
         if (std::optional<SunAngles> sun = sunAngles()) {
             grabbed_sun_ = *sun;
             drag_ = Drag::Sun;
@@ -142,6 +144,7 @@ void App::key(const Event& event) {
         if (code == GLFW_KEY_S) runCommand(Command::SaveScene);
         return;
     }
+    held_.insert(code);
     if (code == GLFW_KEY_ESCAPE) runCommand(Command::Close);
     if (code == GLFW_KEY_H || code == GLFW_KEY_SLASH || code == GLFW_KEY_F1) ui_.keys_open = !ui_.keys_open;
     if (code == GLFW_KEY_TAB) ui_.panel_open = !ui_.panel_open;
@@ -178,13 +181,11 @@ void App::resize() {
 }
 
 bool App::flyStep(double seconds) {
-    if (!stage_ || ImGui::GetIO().WantTextInput || window_.isDown(GLFW_KEY_LEFT_CONTROL) ||
-        window_.isDown(GLFW_KEY_RIGHT_CONTROL))
-        return false;
-    auto pair = [&](int plus, int minus) { return double(window_.isDown(plus)) - double(window_.isDown(minus)); };
+    if (!stage_) return false;
+    auto pair = [&](int plus, int minus) { return double(held_.contains(plus)) - double(held_.contains(minus)); };
     dvec3 along(pair(GLFW_KEY_D, GLFW_KEY_A), pair(GLFW_KEY_E, GLFW_KEY_Q), pair(GLFW_KEY_W, GLFW_KEY_S));
     if (along == dvec3(0.0)) return false;
-    if (window_.isDown(GLFW_KEY_LEFT_SHIFT)) along *= kFaster;
+    if (window_.isDown(GLFW_KEY_LEFT_SHIFT) || window_.isDown(GLFW_KEY_RIGHT_SHIFT)) along *= kFaster;
     control_->fly(along, seconds);
     camera_is_new_ = true;
     viewChanged(true);

@@ -54,7 +54,7 @@ void drawKeys(Ui& ui, int width, int height, double scale) {
         }
         ImGui::TextUnformatted(line.keys);
         ImGui::SameLine(column);
-        ImGui::TextDisabled("%s", line.does);
+        ImGui::TextColored(ImVec4(0.75f, 0.75f, 0.77f, 1.0f), "%s", line.does);
     }
     ImGui::End();
 }
