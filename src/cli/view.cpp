@@ -44,8 +44,9 @@ void addView(CLI::App& app, Action& action) {
         ->type_name("INDEX|NAME|cpu");
     command->add_flag("--validation", options->viewer.validation,
                       "Run under the Vulkan validation layers; any message fails at the end");
-    // For tests: a line of JSON a frame.
+    // For tests: a line of JSON a frame; the pictures by way of the host.
     command->add_option("--journal", options->viewer.journal)->group("");
+    command->add_flag("--present-apart", options->viewer.apart)->group("");
     command->callback([options, &action] { action = [options] { return runView(*options); }; });
 }
 

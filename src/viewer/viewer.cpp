@@ -23,7 +23,7 @@ void runViewer(const ViewerOptions& options) {
     Scene scene = options.open(options.path);
     Window window(scene.film.width, scene.film.height, "dsphere");
     const gpu::Presentation here = window.presentation(false), anywhere = window.presentation(true);
-    gpu::Device renders({options.device, options.validation, &here});
+    gpu::Device renders({options.device, options.validation, options.apart ? nullptr : &here});
     // A device that cannot present gets a second one beside it, and the pictures go through the host.
     std::optional<gpu::Device> other;
     if (!renders.presentation()) other.emplace(gpu::DeviceOptions{"", options.validation, &anywhere});

@@ -17,6 +17,7 @@ struct ViewerOptions {
     bool validation = false;  ///< messages make runViewer throw at the end
     MarchMethod method;
     std::optional<int> samples;         ///< that a still view refines to; unset: the scene's, at least 16
+    bool apart = false;                 ///< present with a device of its own, as where the chosen one cannot
     std::string journal;                ///< a file that gets a line of JSON a frame; empty: none
     std::function<bool()> interrupted;  ///< polled; true ends the program
 };

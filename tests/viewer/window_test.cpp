@@ -135,6 +135,23 @@ TEST_F(WindowTest, SizesAndFiles) {
     EXPECT_EQ(viewing.errors(), "");
 }
 
+// As where the device that renders cannot present.
+TEST_F(WindowTest, PicturesByWayOfTheHost) {
+    Viewing viewing(*desktop_, folder_.path(),
+                    {"fractal.pgm", "--resolution", "640,360", "--spp", "2", "--present-apart"});
+    viewing.waitForStill();
+    desktop_->drag(320, 180, 420, 150);
+    hand("search --name dsphere windowsize --sync 500 400");
+    viewing.waitFor("the size", is("window", json({500, 400})));
+    viewing.waitForStill();
+    hand("key ctrl+s");
+    viewing.waitFor("a saved scene", says("fractal-1.pbrt"));
+    expectScreenshot(viewing, "fractal-1.png", "fractal-1.pbrt");
+    hand("key Escape");
+    EXPECT_EQ(viewing.finish(), 0) << viewing.errors();
+    EXPECT_EQ(viewing.errors(), "");
+}
+
 TEST_F(WindowTest, NoDisplay) {
     Process process({DSPHERE_PROGRAM, "view", "fractal.pgm"}, {"DISPLAY=", "WAYLAND_DISPLAY="}, folder_.path(), {},
                     path("errors"));
