@@ -177,7 +177,7 @@ void App::run() {
         finishWork();
         reloadIfChanged();
         startWork();
-        if (!events.empty()) frames_due_ = std::max(frames_due_, 2);
+        if (!events.empty()) frames_due_ = std::max(frames_due_, 4);  // what ImGui takes to open a list
         bool fresh = renderSlice();
         bool late = window_.now() - last_draw_ > kRefiningRedraw;
         bool fading = !ui_.message.empty() && !ui_.message_is_error;

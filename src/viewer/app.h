@@ -32,6 +32,7 @@ class App {
 
     // input.cpp: what events do
     void handle(const Event& event);
+    bool onPanel();
     void press(const Event& event);
     void move(const Event& event);
     void scroll(const Event& event);

@@ -34,11 +34,17 @@ std::optional<dvec3> App::pointUnder(const dvec2& cursor) {
     return pick->point;
 }
 
+// Whether the cursor is over a panel. ImGui knows of the place that it last drew a frame with.
+bool App::onPanel() {
+    const ImVec2 known = ImGui::GetIO().MousePos;
+    if (known.x != float(window_.cursor().x) || known.y != float(window_.cursor().y)) drawFrame();
+    return ImGui::GetIO().WantCaptureMouse;
+}
+
 void App::handle(const Event& event) {
-    const bool on_panel = ImGui::GetIO().WantCaptureMouse;
     switch (event.kind) {
         case Event::Press:
-            if (!on_panel && stage_) press(event);
+            if (stage_ && !onPanel()) press(event);
             break;
         case Event::Release:
         case Event::LoseFocus:
@@ -50,7 +56,7 @@ void App::handle(const Event& event) {
             if (drag_ != Drag::None && stage_) move(event);
             break;
         case Event::Scroll:
-            if (!on_panel && stage_) scroll(event);
+            if (stage_ && !onPanel()) scroll(event);
             break;
         case Event::KeyDown:
             if (!ImGui::GetIO().WantTextInput) key(event);
