@@ -19,6 +19,6 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # The loader is opened at run time, which shlibdeps cannot see; a driver may come from elsewhere; the geoid is a sample, as is
 # the Earth, which npm fetches.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS libvulkan1)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS mesa-vulkan-drivers)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "mesa-vulkan-drivers, fonts-dejavu-core")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "proj-data, npm")
 include(CPack)

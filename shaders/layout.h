@@ -162,7 +162,7 @@ struct RenderParams {
     int tile_x, tile_y;    // of the tile's first pixel, in film pixels
     int tile_x1, tile_y1;  // its end
     int film_x, film_y;    // raster position of the film's first pixel
-    int sample_index;      // -1: the pixel's centre
+    int sample_index;      // -1: the pixel's centre; -2: the same without shadows
     uint seed;
 };
 

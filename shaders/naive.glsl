@@ -102,6 +102,10 @@ ObjectHit hitBaseline(ObjectData object, MapData map, Ray ray) {
     ObjectHit hit;
     if (kMarcher == MARCHER_LIPSCHITZ) hit = hitLipschitz(object, map, ray);
     if (kMarcher != MARCHER_LIPSCHITZ) hit = hitNaive(object, map, ray);
+    if (hit.hit) {
+        NaivePlace place = naivePlace(object, map, hit.p);
+        hit.stored = patchValue(fetchPatch(map, real(1), place.cell), place.at.fu, place.at.fv);
+    }
     return hit;
 }
 

@@ -91,7 +91,7 @@ void shade(ivec2 pixel) {
     uint lit = 0u;
     if (wants_light && point.hit && !doubtful) {
         albedo = albedoOf(point);
-        lit = visibleLights(point, doubtful);
+        lit = params.sample_index < -1 ? ~0u : visibleLights(point, doubtful);
         colour = directLight(point, albedo, lit);
     }
     if (doubtful) {

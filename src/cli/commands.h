@@ -49,6 +49,7 @@ gpu::Device openDevice(const CommonOptions& options);
 void checkValidation(const gpu::Device& device);
 
 void addRender(CLI::App& app, Action& action);
+void addView(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
 void addVerify(CLI::App& app, Action& action);
 void addDevices(CLI::App& app, Action& action);

@@ -22,6 +22,7 @@ int run(int argc, char** argv) {
         "Exit codes: 0 ok, 1 render or I/O failure, 2 usage, 3 invalid scene or map, 4 no usable device,\n"
         "5 comparison failed, 130 interrupted, 143 terminated.");
     Action action;
+    addView(app, action);
     addRender(app, action);
     addVerify(app, action);
     addBench(app, action);

@@ -18,6 +18,8 @@ VkBufferUsageFlags usageFlags(Buffer::Usage usage) {
             return copies | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
         case Buffer::Usage::Uniform:
             return copies | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT;
+        case Buffer::Usage::Vertices:
+            return copies | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT;
         case Buffer::Usage::Staging:
             break;
     }

@@ -19,9 +19,10 @@ inline constexpr std::uint64_t kStagingBytes = 16u << 20;
 class Buffer {
   public:
     enum class Usage {
-        Storage,  ///< bound as Binding::StorageBuffer
-        Uniform,  ///< bound as Binding::UniformBuffer
-        Staging,  ///< only copied from and to
+        Storage,   ///< bound as Binding::StorageBuffer
+        Uniform,   ///< bound as Binding::UniformBuffer
+        Staging,   ///< only copied from and to
+        Vertices,  ///< vertices and indices
     };
     enum class Place {
         Host,    ///< mapped for its whole life; cached where the device offers it

@@ -18,13 +18,22 @@ std::vector<DeviceInfo> listDevices() {
     return infos;
 }
 
-Device::Device(const DeviceOptions& options) : instance_(std::make_unique<Instance>(options.validation)) {
-    const std::vector<Candidate> candidates = describeDevices(*instance_);
+Device::Device(const DeviceOptions& options)
+    : instance_(std::make_unique<Instance>(options.validation, options.presentation
+                                                                   ? options.presentation->instance_extensions
+                                                                   : std::vector<const char*>())) {
+    std::vector<Candidate> candidates = describeDevices(*instance_);
+    if (const Presentation* presentation = options.presentation) {
+        surface_.instance = instance_->handle();
+        surface_.surface = presentation->make_surface(instance_->handle());
+        findPresentFamilies(candidates, surface_.surface, presentation->required);
+    }
     const Candidate& chosen = select(candidates, options.selector);
     info_ = chosen.info;
     physical_ = chosen.physical;
     queue_family_ = chosen.queue_family;
     timestamp_bits_ = chosen.timestamp_bits;
+    if (chosen.present_family) present_ = {surface_.surface, *chosen.present_family, VK_NULL_HANDLE};
     vkGetPhysicalDeviceMemoryProperties(physical_, &memory_);
     readLimits();
     createDevice();
@@ -37,6 +46,10 @@ Device::~Device() {
 
 Device::Logical::~Logical() {
     if (device != VK_NULL_HANDLE) destroy(device, nullptr);
+}
+
+Device::Surface::~Surface() {
+    if (surface != VK_NULL_HANDLE) vkDestroySurfaceKHR(instance, surface, nullptr);
 }
 
 void Device::readLimits() {
@@ -65,13 +78,17 @@ void Device::readLimits() {
 
 void Device::createDevice() {
     const float priority = 1.0f;
-    VkDeviceQueueCreateInfo queue = {VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
-    queue.queueFamilyIndex = queue_family_;
-    queue.queueCount = 1;
-    queue.pQueuePriorities = &priority;
+    std::vector<std::uint32_t> families = {queue_family_};
+    if (present_ && present_->family != queue_family_) families.push_back(present_->family);
+    std::vector<VkDeviceQueueCreateInfo> queues;
+    for (std::uint32_t family : families)
+        queues.push_back({VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO, nullptr, 0, family, 1, &priority});
+    const char* const swapchain = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
     VkDeviceCreateInfo create = {VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
-    create.queueCreateInfoCount = 1;
-    create.pQueueCreateInfos = &queue;
+    create.queueCreateInfoCount = std::uint32_t(queues.size());
+    create.pQueueCreateInfos = queues.data();
+    create.enabledExtensionCount = present_ ? 1 : 0;
+    create.ppEnabledExtensionNames = &swapchain;
     VkDevice device = VK_NULL_HANDLE;
     check(vkCreateDevice(physical_, &create, nullptr, &device), "vkCreateDevice");
     volkLoadDeviceTable(&table_, device);
@@ -80,13 +97,17 @@ void Device::createDevice() {
     table_.vkGetDeviceQueue(device, queue_family_, 0, &queue_);
     setName(VK_OBJECT_TYPE_DEVICE, device, "device");
     setName(VK_OBJECT_TYPE_QUEUE, queue_, "compute queue");
+    if (present_) table_.vkGetDeviceQueue(device, present_->family, 0, &present_->queue);
+    createCommandPool();
+}
 
+void Device::createCommandPool() {
     VkCommandPoolCreateInfo pool = {VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
     pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
     pool.queueFamilyIndex = queue_family_;
     VkCommandPool made = VK_NULL_HANDLE;
-    check(table_.vkCreateCommandPool(device, &pool, nullptr, &made), "vkCreateCommandPool");
-    command_pool_ = Handle<VkCommandPool>(device, made, table_.vkDestroyCommandPool);
+    check(table_.vkCreateCommandPool(handle(), &pool, nullptr, &made), "vkCreateCommandPool");
+    command_pool_ = Handle<VkCommandPool>(handle(), made, table_.vkDestroyCommandPool);
     setName(VK_OBJECT_TYPE_COMMAND_POOL, made, "command pool");
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
-// Choice of a Vulkan device, and the device itself with its one queue. Vulkan 1.1 is the minimum.
+// Choice of a Vulkan device, and the device itself with its queue for compute. Vulkan 1.1 is the minimum.
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,12 +31,21 @@ struct DeviceInfo {
 /// Every device of this machine, unusable ones included; never empty. Error(NoDevice) without a loader or a driver.
 std::vector<DeviceInfo> listDevices();
 
+/// What a device needs to show pictures in a window.
+struct Presentation {
+    std::vector<const char*> instance_extensions;
+    std::function<VkSurfaceKHR(VkInstance)> make_surface;  ///< throws Error; the device destroys what it made
+    bool required = false;  ///< only devices that can present are usable; else Device::presentation() may be empty
+};
+
 struct DeviceOptions {
     /// "" (the best: discrete, integrated, virtual, CPU, other), a decimal index, "cpu" (the first CPU device), or a
     /// part of the name in any case.
     std::string selector;
     /// Loads VK_LAYER_KHRONOS_validation with core and synchronization checks; Error(Failure) if it is not installed.
     bool validation = false;
+    /// Unset: no window. It is used by the constructor alone.
+    const Presentation* presentation = nullptr;
 };
 
 /// What resource creation is held to. Sizes are in bytes.
@@ -50,6 +61,13 @@ struct Limits {
     std::uint32_t max_uniform_buffers = 0;
     std::uint32_t max_storage_images = 0;
     std::array<std::uint32_t, 3> max_workgroup_count = {};
+};
+
+/// Where a device shows pictures. The family has graphics, transfers and presentation.
+struct PresentQueue {
+    VkSurfaceKHR surface = VK_NULL_HANDLE;
+    std::uint32_t family = 0;
+    VkQueue queue = VK_NULL_HANDLE;
 };
 
 /// An instance, a logical device and one queue with compute. Everything made from it must be gone before it goes.
@@ -82,6 +100,8 @@ class Device {
     std::uint32_t queueFamily() const { return queue_family_; }
     VkCommandPool commandPool() const { return command_pool_.get(); }
     VkPipelineCache pipelineCache() const;
+    /// Empty without DeviceOptions::presentation, or where this device cannot present. The queue may be queue().
+    const std::optional<PresentQueue>& presentation() const { return present_; }
 
     /// Memory for a buffer or image, of a type that has `required` flags and, where one exists, `preferred` ones too.
     /// Error(Failure) beyond the limits or when memory is out; it says how many bytes were asked for `what`.
@@ -107,8 +127,19 @@ class Device {
         ~Logical();
     };
 
+    /// Goes after the device and before the instance.
+    struct Surface {
+        VkInstance instance = VK_NULL_HANDLE;
+        VkSurfaceKHR surface = VK_NULL_HANDLE;
+        Surface() = default;
+        Surface(const Surface&) = delete;
+        Surface& operator=(const Surface&) = delete;
+        ~Surface();
+    };
+
     void readLimits();
     void createDevice();
+    void createCommandPool();
     void setNameOf(VkObjectType type, std::uint64_t object, const std::string& name) const;
 
     std::unique_ptr<Instance> instance_;
@@ -120,7 +151,9 @@ class Device {
     std::uint32_t timestamp_bits_ = 0;  ///< 0: no timestamps
     double timestamp_period_ = 0.0;     ///< nanoseconds a tick
     VolkDeviceTable table_ = {};
+    Surface surface_;
     Logical logical_;
+    std::optional<PresentQueue> present_;
     VkQueue queue_ = VK_NULL_HANDLE;
     Handle<VkCommandPool> command_pool_;
     std::unique_ptr<PipelineCache> cache_;

@@ -62,10 +62,13 @@ VkDebugUtilsMessengerCreateInfoEXT messengerInfo(std::vector<std::string>* messa
 
 }  // namespace
 
-Instance::Instance(bool validation) {
+Instance::Instance(bool validation, const std::vector<const char*>& more_extensions) {
     loadLoader();
     std::vector<const char*> layers;
-    std::vector<const char*> extensions;
+    std::vector<const char*> extensions = more_extensions;
+    for (const char* name : extensions)
+        if (!extensionOffered(nullptr, name))
+            throw Error(ExitCode::NoDevice, fmt::format("no Vulkan driver offers {}", name));
     if (validation) {
         if (!layerInstalled(kValidationLayer)) {
             throwFailure("validation was asked for, but the layer {} is not installed", kValidationLayer);

@@ -12,8 +12,9 @@ namespace dsphere::gpu {
 /// The VkInstance with the debug messenger. Not movable: the messenger points at `messages_`.
 class Instance {
   public:
-    /// Error(NoDevice) without a loader or a driver; Error(Failure) if validation is asked for and not installed.
-    explicit Instance(bool validation);
+    /// Error(NoDevice) without a loader or a driver, or without `more_extensions`; Error(Failure) if validation is
+    /// asked for and not installed.
+    explicit Instance(bool validation, const std::vector<const char*>& more_extensions = {});
     /// Messages that nobody can read any more (those since forgetMessages()) go to stderr.
     ~Instance();
     Instance(const Instance&) = delete;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cstring>
 
 #include "base/error.h"
 #include "gpu/instance.h"
+#include "gpu/result.h"
 
 namespace dsphere::gpu {
 namespace {
@@ -72,6 +74,33 @@ bool findComputeFamily(Candidate& candidate) {
     return false;
 }
 
+bool hasSwapchains(VkPhysicalDevice physical) {
+    std::uint32_t count = 0;
+    constexpr char kCall[] = "vkEnumerateDeviceExtensionProperties";
+    check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr), kCall);
+    std::vector<VkExtensionProperties> all(count);
+    check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, all.data()), kCall);
+    return std::ranges::any_of(
+        all, [](const auto& one) { return std::strcmp(one.extensionName, VK_KHR_SWAPCHAIN_EXTENSION_NAME) == 0; });
+}
+
+std::optional<std::uint32_t> presentFamily(const Candidate& candidate, VkSurfaceKHR surface) {
+    if (!hasSwapchains(candidate.physical)) return {};
+    std::uint32_t count = 0;
+    vkGetPhysicalDeviceQueueFamilyProperties(candidate.physical, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    vkGetPhysicalDeviceQueueFamilyProperties(candidate.physical, &count, families.data());
+    std::optional<std::uint32_t> found;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (!(families[i].queueFlags & VK_QUEUE_GRAPHICS_BIT)) continue;
+        VkBool32 presents = VK_FALSE;
+        check(vkGetPhysicalDeviceSurfaceSupportKHR(candidate.physical, i, surface, &presents),
+              "vkGetPhysicalDeviceSurfaceSupportKHR");
+        if (presents && (!found || i == candidate.queue_family)) found = i;
+    }
+    return found;
+}
+
 Candidate describe(VkPhysicalDevice physical, int index) {
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(physical, &properties);
@@ -127,6 +156,16 @@ std::vector<Candidate> describeDevices(const Instance& instance) {
         candidates.push_back(describe(physical, int(candidates.size())));
     }
     return candidates;
+}
+
+void findPresentFamilies(std::vector<Candidate>& candidates, VkSurfaceKHR surface, bool required) {
+    for (Candidate& one : candidates) {
+        if (!one.info.usable) continue;
+        one.present_family = presentFamily(one, surface);
+        if (one.present_family || !required) continue;
+        one.info.usable = false;
+        one.info.unusable_reason = "it cannot show pictures in a window";
+    }
 }
 
 const Candidate& select(const std::vector<Candidate>& candidates, const std::string& selector) {

@@ -156,39 +156,38 @@ struct DeviceScene::Layout {
 };
 
 DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed)
-    : DeviceScene(device, packed, Layout(device, packed)) {}
+    : DeviceScene(device, packed, std::make_shared<const Layout>(device, packed)) {}
 
-DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, const Layout& layout)
-    : objects_(makeBuffer(device, gpu::Buffer::Usage::Uniform, layout.placedObjects(packed), MAX_OBJECTS, "objects")),
-      maps_(
-          makeBuffer(device, gpu::Buffer::Usage::Uniform, layout.ofObjects(packed), MAX_OBJECTS * MAX_LEVELS, "maps")),
+DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, std::shared_ptr<const Layout> shared)
+    : layout_(std::move(shared)),
+      objects_(makeBuffer(device, gpu::Buffer::Usage::Uniform, layout_->placedObjects(packed), MAX_OBJECTS, "objects")),
+      maps_(makeBuffer(device, gpu::Buffer::Usage::Uniform, layout_->ofObjects(packed), MAX_OBJECTS * MAX_LEVELS,
+                       "maps")),
       lights_(makeBuffer(device, gpu::Buffer::Usage::Uniform, packed.lights, MAX_LIGHTS, "lights")),
       ramps_(makeBuffer(device, gpu::Buffer::Usage::Storage, packed.ramp_points, packed.ramp_points.size(), "ramps")),
-      heights_(makeImage(device, gpu::Format::R32Float, layout.heights, "heights")),
-      bounds_(makeImage(device, gpu::Format::R32Float, layout.bounds, "bounds")),
-      edges_(makeImage(device, gpu::Format::Rgba32Float, layout.edges, "edges")),
-      images_(makeImage(device, gpu::Format::R32Uint, layout.images, "images")) {
+      heights_(makeImage(device, gpu::Format::R32Float, layout_->heights, "heights")),
+      bounds_(makeImage(device, gpu::Format::R32Float, layout_->bounds, "bounds")),
+      edges_(makeImage(device, gpu::Format::Rgba32Float, layout_->edges, "edges")),
+      images_(makeImage(device, gpu::Format::R32Uint, layout_->images, "images")) {
     for (std::size_t i = 0; i < packed.nodes.size(); ++i)
-        uploadNodes(heights_, *packed.nodes[i], layout.node_places[i]);
+        uploadNodes(heights_, *packed.nodes[i], layout_->node_places[i]);
     auto uploadEdges = [&](int y, const std::vector<layout::vec4>& edges) {
         edges_.upload(0, 0, std::uint32_t(y), std::uint32_t(edges.size()), 1, edges.data());
     };
     for (std::size_t i = 0; i < packed.reliefs.size(); ++i) {
         const PackedRelief& relief = packed.reliefs[i];
-        Stack::Place place = layout.bound_places[i];
-        bounds_.upload(std::uint32_t(place.layer), 0, std::uint32_t(place.y), std::uint32_t(relief.bounds.side),
-                       std::uint32_t(relief.bounds.imageHeight()), relief.bounds.squared.data());
-        uploadEdges(layout.maps[i].edges_y, relief.shader.longitude_edges);
-        uploadEdges(layout.maps[i].edges_y + 1, relief.shader.colatitude_edges);
+        uploadEdges(layout_->maps[i].edges_y, relief.shader.longitude_edges);
+        uploadEdges(layout_->maps[i].edges_y + 1, relief.shader.colatitude_edges);
     }
+    updateReliefs(packed);
     for (std::size_t i = 0; i < packed.centres.size(); ++i) {
         if (packed.image_of_object[i] < 0) continue;
-        uploadEdges(layout.centre_rows[i], packed.centres[i].columns);
-        uploadEdges(layout.centre_rows[i] + 1, packed.centres[i].rows);
+        uploadEdges(layout_->centre_rows[i], packed.centres[i].columns);
+        uploadEdges(layout_->centre_rows[i] + 1, packed.centres[i].rows);
     }
     if (!packed.images.empty()) images_.upload(0, 0, 0, 256, 1, codeWords().data());
     for (std::size_t i = 0; i < packed.images.size(); ++i)
-        uploadImage(images_, packed.images[i], layout.image_places[i]);
+        uploadImage(images_, packed.images[i], layout_->image_places[i]);
     if (!packed.images.empty())
         image_bytes_ =
             std::uint64_t(images_.width()) * images_.height() * images_.layers() * texelBytes(images_.format());
@@ -197,7 +196,21 @@ DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, const L
 }
 
 void DeviceScene::updateObjects(const PackedScene& packed) {
-    objects_.upload(0, packed.objects.size() * sizeof(packed.objects[0]), packed.objects.data());
+    const std::vector<layout::ObjectData> objects = layout_->placedObjects(packed);
+    objects_.upload(0, objects.size() * sizeof(objects[0]), objects.data());
+}
+
+void DeviceScene::updateLights(const PackedScene& packed) {
+    lights_.upload(0, packed.lights.size() * sizeof(packed.lights[0]), packed.lights.data());
+}
+
+void DeviceScene::updateReliefs(const PackedScene& packed) {
+    for (std::size_t i = 0; i < packed.reliefs.size(); ++i) {
+        const Bounds& bounds = packed.reliefs[i].bounds;
+        Stack::Place place = layout_->bound_places[i];
+        bounds_.upload(std::uint32_t(place.layer), 0, std::uint32_t(place.y), std::uint32_t(bounds.side),
+                       std::uint32_t(bounds.imageHeight()), bounds.squared.data());
+    }
 }
 
 std::vector<gpu::Resource> DeviceScene::resources() const {

@@ -5,6 +5,7 @@
 #include "gpu/pipeline.h"
 #include "render/pack.h"
 
+#include <memory>
 #include <vector>
 
 namespace dsphere {
@@ -21,6 +22,10 @@ class DeviceScene {
 
     /// Uploads the objects again: after packCamera.
     void updateObjects(const PackedScene& packed);
+    /// Uploads the lights again, as many as before.
+    void updateLights(const PackedScene& packed);
+    /// Uploads the bounds again: of the same maps under other reliefs, as many as before.
+    void updateReliefs(const PackedScene& packed);
 
     /// Bindings BINDING_OBJECTS to BINDING_IMAGES, in order.
     std::vector<gpu::Resource> resources() const;
@@ -32,11 +37,12 @@ class DeviceScene {
   private:
     struct Layout;
 
+    std::shared_ptr<const Layout> layout_;
     gpu::Buffer objects_, maps_, lights_, ramps_;
     std::uint64_t map_bytes_ = 0, image_bytes_ = 0;
     gpu::StorageImage heights_, bounds_, edges_, images_;
 
-    DeviceScene(gpu::Device& device, const PackedScene& packed, const Layout& layout);
+    DeviceScene(gpu::Device& device, const PackedScene& packed, std::shared_ptr<const Layout> shared);
 };
 
 }  // namespace dsphere

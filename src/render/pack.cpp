@@ -204,6 +204,13 @@ void packCamera(PackedScene& packed, const Scene& scene) {
     }
 }
 
+void packLook(PackedScene& packed, const Scene& scene, const SceneMaps& maps) {
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+        packMaterial(packed.objects[i], scene.shapes[i], maps.reliefs[i]);
+    packed.lights.clear();
+    for (const Light& light : scene.lights) packed.lights.push_back(packLight(light));
+}
+
 PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels) {
     if (scene.shapes.size() > std::size_t(MAX_OBJECTS))
         throwInvalid("{}: {} shapes; at most {} are supported", scene.name, scene.shapes.size(), MAX_OBJECTS);
@@ -220,13 +227,12 @@ PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels) 
         packed.units.push_back(packGeometry(object, packed, shape, maps.map_of_shape[i], maps.reliefs[i], levels));
         packTransforms(object, frameOf(shape, packed.units.back()));
         object.from_first = narrow(centreOf(shape) - centreOf(scene.shapes[0]), 0.0);
-        packMaterial(object, shape, maps.reliefs[i]);
         packed.kinds |= 1u << object.kind;
         packed.objects.push_back(object);
     }
     packImages(packed, scene, maps);
     packCamera(packed, scene);
-    for (const Light& light : scene.lights) packed.lights.push_back(packLight(light));
+    packLook(packed, scene, maps);
     for (const Ramp& ramp : ramps())
         for (const dvec3& point : ramp.points) packed.ramp_points.push_back(narrow(point, 1.0));
     return packed;

@@ -47,4 +47,7 @@ PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels =
 /// Gives a packed scene the camera and film of `scene`, which has changed in nothing else.
 void packCamera(PackedScene& packed, const Scene& scene);
 
+/// Gives a packed scene the lights and the constant and ramp colours of `scene`, which has changed in nothing else.
+void packLook(PackedScene& packed, const Scene& scene, const SceneMaps& maps);
+
 }  // namespace dsphere

@@ -5,6 +5,7 @@
 #include "render/pass.h"
 #include "render/planes.h"
 #include "render/spans.h"
+#include "render/tiles.h"
 
 #include <functional>
 #include <map>
@@ -30,6 +31,8 @@ class Renderer {
 
     /// Takes the camera and film of `scene`; packCamera has given them to the packed scene before.
     void setCamera(const Scene& scene);
+    /// Takes what packLook or, `reliefs`, a new packing of the same maps has made of the packed scene.
+    void update(bool reliefs);
     /// For the renders that follow. Pipelines of methods used before are kept.
     void setMethod(const MarchMethod& method) { method_ = method; }
 
@@ -39,16 +42,18 @@ class Renderer {
     Image renderPlanes(std::uint32_t mask, const Progress& progress);
 
     const RenderStats& stats() const { return stats_; }
+    /// For pictures of the caller's own: what this renderer's are made with.
+    PassPipelines& pipelines(const MarchMethod& method, std::uint32_t mask);
+    const DeviceScene& deviceScene() const { return device_scene_; }
+    const Box& crop() const { return crop_; }
+    const std::vector<Span>& spans() const { return spans_; }  ///< one a row of the crop
     std::uint64_t mapBytes() const { return device_scene_.mapBytes(); }
     std::uint64_t imageBytes() const { return device_scene_.imageBytes(); }
 
   private:
-    struct Film;
-
     Image render(std::uint32_t mask, int samples, std::uint32_t seed, const Progress& progress);
-    void runTiles(Pass& pass, int sample, std::uint32_t seed, const Progress& progress);
-    PassPipelines& pipelinesFor(std::uint32_t mask);
-    void fillMisses(Image& image) const;
+    void runTiles(Pass& pass, TileRun& run, int sample, std::uint32_t seed, const Progress& progress);
+    void fillMisses(Image& image, const std::vector<Box>& tiles) const;
 
     gpu::Device& device_;
     const PackedScene& packed_;
@@ -56,9 +61,7 @@ class Renderer {
     MarchMethod method_;
     std::map<std::pair<MarchMethod, std::uint32_t>, PassPipelines> pipelines_;  ///< by method and planes
     Box crop_, display_;
-    std::vector<Span> spans_;  ///< one a row of the crop
-    std::vector<Box> tiles_;   ///< what is dispatched, in film pixels
-    std::size_t tiles_at_once_ = 1;
+    std::vector<Span> spans_;
     RenderStats stats_;
 };
 

@@ -1,3 +1,4 @@
+#include "render/live.h"
 #include "tests/render/world.h"
 #include "tests/support/keepdriver.h"
 
@@ -50,6 +51,50 @@ TEST_F(RendererTest, UndispatchedPixelsAreMisses) {
     }
     EXPECT_GT(misses, kWidth * kHeight / 2);
     EXPECT_LT(misses, kWidth * kHeight);
+}
+
+// A ramp needs the map's value under the hit from every marcher.
+TEST_F(RendererTest, BaselinesAreColouredByHeightToo) {
+    World made =
+        world("Texture \"h\" \"spectrum\" \"heightramp\"\nMaterial \"matte\" \"texture Kd\" \"h\"\n" + planet());
+    Image exact = Renderer(device_, made.packed, made.scene, Marcher::Exact).renderPlanes(kAovPlanes, {});
+    for (Marcher marcher : {Marcher::Naive, Marcher::NaiveShell, Marcher::Lipschitz}) {
+        Image image = Renderer(device_, made.packed, made.scene, marcher).renderPlanes(kAovPlanes, {});
+        int close = 0, hits = 0;
+        for (std::size_t i = 0; i < image.pixelCount(); ++i) {
+            if (!image.at("id").uints()[i] || !exact.at("id").uints()[i]) continue;
+            ++hits;
+            close += std::abs(image.at("Albedo.G").floats()[i] - exact.at("Albedo.G").floats()[i]) < 0.02f;
+        }
+        EXPECT_GT(hits, 100);
+        EXPECT_GT(close, 0.95 * hits) << int(marcher);
+    }
+}
+
+// Sample i of a growing picture is sample i of a render, whatever the number of samples, slices and tiles.
+TEST_F(RendererTest, LivePicturesEqualRenders) {
+    World made = world(planet() + "Translate 1.3 0 0\nShape \"sphere\" \"float radius\" .2\n");
+    Renderer renderer(device_, made.packed, made.scene, Marcher::Exact);
+    LiveFilm live(device_, renderer, kWidth + 9, kHeight + 5, kColourPlanes);
+    live.begin({{Marcher::Exact, 0, 31}, {Marcher::Exact, 31, kWidth}}, Sampling::Jittered, 5);
+    for (int samples = 1; samples <= 3; ++samples) {
+        while (!live.step(1e-9)) EXPECT_LT(live.samples(), samples);
+        EXPECT_EQ(live.samples(), samples);
+        Image image = live.read(), render = renderer.renderColour(samples, 5, {});
+        ASSERT_EQ(image.data, render.data);
+        for (std::size_t c = 0; c < 3; ++c)
+            EXPECT_EQ(image.channels[c].floats(), render.channels[c].floats()) << samples;
+    }
+    live.begin({{Marcher::Exact, 0, kWidth}}, Sampling::UnshadowedCentres, 5);
+    while (!live.step(1.0)) {
+    }
+    Image bright = live.read();
+    live.begin({{Marcher::Exact, 0, kWidth}}, Sampling::Centres, 5);
+    while (!live.step(1.0)) {
+    }
+    Image image = live.read();
+    for (std::size_t i = 0; i < image.pixelCount(); ++i)
+        EXPECT_GE(bright.at("R").floats()[i], image.at("R").floats()[i]);
 }
 
 TEST_F(RendererTest, ColourIsTheMeanOfItsSamples) {

@@ -1,0 +1,53 @@
+#include "base/error.h"
+#include "cli/commands.h"
+#include "cli/sceneoptions.h"
+#include "viewer/viewer.h"
+
+namespace dsphere::cli {
+
+namespace {
+
+struct ViewOptions {
+    SceneOptions scene;
+    viewer::ViewerOptions viewer;
+};
+
+int runView(const ViewOptions& options) {
+    if (options.scene.scene == "-")
+        throw Error(ExitCode::Usage, "view: a scene from standard input cannot be watched; name a file");
+    if (options.scene.samples && (*options.scene.samples < 1 || *options.scene.samples > 65536))
+        throw Error(ExitCode::Usage, fmt::format("--spp: {} is outside 1 to 65536", *options.scene.samples));
+    viewer::ViewerOptions viewer = options.viewer;
+    viewer.path = options.scene.scene;
+    viewer.method = options.scene.marcher;
+    viewer.samples = options.scene.samples;
+    viewer.open = [scene = options.scene](const std::string& path) {
+        SceneOptions named = scene;
+        named.scene = path;
+        return loadScene(named);
+    };
+    viewer.interrupted = [] { return caughtSignal() != 0; };
+    viewer::runViewer(viewer);
+    if (caughtSignal()) throw Error(ExitCode::Interrupted, "interrupted");
+    return int(ExitCode::Ok);
+}
+
+}  // namespace
+
+void addView(CLI::App& app, Action& action) {
+    CLI::App* command = app.add_subcommand("view", "Show a scene or a heightmap in a window; H lists the keys");
+    auto options = std::make_shared<ViewOptions>();
+    addSceneOptions(*command, options->scene);
+    command->add_option("--spp", options->scene.samples, "Samples a pixel that a still view refines to");
+    command->add_option("--seed", options->scene.seed, "Seed of the sample positions");
+    command->add_option("--device", options->viewer.device, "Vulkan device: its index, a part of its name, or cpu")
+        ->type_name("INDEX|NAME|cpu");
+    command->add_flag("--validation", options->viewer.validation,
+                      "Run under the Vulkan validation layers; any message fails at the end");
+    // For tests: a line of JSON a frame; the pictures by way of the host.
+    command->add_option("--journal", options->viewer.journal)->group("");
+    command->add_flag("--present-apart", options->viewer.apart)->group("");
+    command->callback([options, &action] { action = [options] { return runView(*options); }; });
+}
+
+}  // namespace dsphere::cli

@@ -1,0 +1,33 @@
+#include "render/devicefilm.h"
+
+#include "render/planes.h"
+
+#include <bit>
+
+namespace dsphere {
+
+DeviceFilm::DeviceFilm(gpu::Device& device, int width, int height, std::uint32_t mask)
+    : image_(device, gpu::Format::R32Uint, std::uint32_t(width), std::uint32_t(height),
+             std::uint32_t(std::popcount(mask)), "film"),
+      mask_(mask) {
+    image_.clear();
+}
+
+Image DeviceFilm::read(const Box& data, const Box& display) const {
+    Image result{data, display, {}};
+    std::uint32_t layer = 0;
+    for (const PlaneInfo& info : planeInfos()) {
+        if (!(mask_ & planeBit(info.plane))) continue;
+        Channel& channel = info.is_uint ? result.addUint(info.channel) : result.addFloat(info.channel);
+        void* target = info.is_uint ? static_cast<void*>(channel.uints().data()) : channel.floats().data();
+        image_.download(layer++, 0, 0, std::uint32_t(data.width()), std::uint32_t(data.height()), target);
+    }
+    return result;
+}
+
+void takeMean(Image& sums, int samples) {
+    for (Channel& channel : sums.channels)
+        for (float& value : channel.floats()) value /= float(samples);
+}
+
+}  // namespace dsphere

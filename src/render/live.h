@@ -1,0 +1,56 @@
+#pragma once
+
+#include "render/devicefilm.h"
+#include "render/renderer.h"
+#include "render/tiles.h"
+
+#include <map>
+#include <vector>
+
+namespace dsphere {
+
+/// Columns [x0, x1) of a picture and how they are marched.
+struct LivePart {
+    MarchMethod method;
+    int x0 = 0, x1 = 0;
+};
+
+/// Where in the pixels rays go: samples 0, 1, 2..., or one sample at the centres, if need be without cast shadows.
+enum class Sampling { Jittered, Centres, UnshadowedCentres };
+
+/// A picture that grows sample by sample between other work: sample i of it is sample i of Renderer::renderColour.
+class LiveFilm {
+  public:
+    /// Holds pictures of up to width x height. The renderer must outlive it.
+    LiveFilm(gpu::Device& device, Renderer& renderer, int width, int height, std::uint32_t mask);
+
+    /// Starts a picture with the renderer's camera and film, which must fit.
+    void begin(const std::vector<LivePart>& parts, Sampling sampling, std::uint32_t seed);
+    /// One submission of about `target` seconds at most; true if it completed a sample, which takes several.
+    bool step(double target);
+
+    int samples() const { return samples_; }                                     ///< complete ones
+    bool between() const { return part_ == 0 && runs_.front().share() == 0.0; }  ///< no sample is half done
+    int width() const { return box_.width(); }
+    int height() const { return box_.height(); }
+    double sampleSeconds() const { return sample_seconds_; }  ///< on the device, of the last complete sample
+    const DeviceFilm& film() const { return film_; }
+
+    /// The mean of the samples; between() samples only.
+    Image read() const;
+
+  private:
+    gpu::Device& device_;
+    Renderer& renderer_;
+    DeviceFilm film_;
+    std::map<MarchMethod, Pass> passes_;
+    std::vector<LivePart> parts_;
+    std::vector<TileRun> runs_;  ///< one a part
+    Box box_;
+    std::size_t part_ = 0;
+    int first_ = 0, samples_ = 0;
+    std::uint32_t seed_ = 0;
+    double seconds_ = 0.0, sample_seconds_ = 0.0;
+};
+
+}  // namespace dsphere

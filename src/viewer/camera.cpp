@@ -1,0 +1,272 @@
+#include "viewer/camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsphere::viewer {
+
+namespace {
+
+constexpr double kZoomStep = 0.85;  // of the distance, a notch of the wheel
+constexpr double kFill = 0.9;       // share of the window's shorter side that axisView gives to the globe
+
+CursorRay rayOf(const Raster& raster, const dvec2& cursor) {
+    return {raster.start.at(cursor.x, cursor.y), glm::normalize(raster.direction.at(cursor.x, cursor.y))};
+}
+
+// Rodrigues, about a unit axis.
+dmat3 rotation(const dvec3& axis, double angle) {
+    double c = std::cos(angle), s = std::sin(angle);
+    dmat3 cross(0.0, axis.z, -axis.y, -axis.z, 0.0, axis.x, axis.y, -axis.x, 0.0);
+    return c * dmat3(1.0) + s * cross + (1.0 - c) * glm::outerProduct(axis, axis);
+}
+
+/// The shortest one that takes a to b, both unit.
+dmat3 rotationBetween(const dvec3& a, const dvec3& b) {
+    dvec3 across = glm::cross(a, b);
+    double sine = glm::length(across);
+    if (sine < 1e-15) return dmat3(1.0);
+    return rotation(across / sine, std::atan2(sine, glm::dot(a, b)));
+}
+
+double shorterSide(const Film& film) {
+    return double(std::min(film.width, film.height));
+}
+
+}  // namespace
+
+Pose Pose::of(const Camera& camera) {
+    dmat4 m = glm::inverse(camera.camera_from_world);
+    return {dvec3(m[3]), dvec3(m[0]), dvec3(m[1]), dvec3(m[2])};
+}
+
+dmat4 Pose::cameraFromWorld() const {
+    return glm::inverse(dmat4(dvec4(right, 0.0), dvec4(up, 0.0), dvec4(ahead, 0.0), dvec4(eye, 1.0)));
+}
+
+double Pose::handedness() const {
+    return glm::dot(glm::cross(up, ahead), right) < 0.0 ? -1.0 : 1.0;
+}
+
+void Pose::turn(const dmat3& rotation, const dvec3& about) {
+    eye = about + rotation * (eye - about);
+    right = rotation * right;
+    up = rotation * up;
+    ahead = rotation * ahead;
+}
+
+CameraControl::CameraControl(const Camera& camera, const Film& film, const Globe& globe)
+    : home_(camera), camera_(camera), film_(film), globe_(globe), pose_(Pose::of(camera)) {}
+
+CursorRay CameraControl::rayAt(const dvec2& cursor) const {
+    return rayOf(makeRaster(camera_, film_), cursor);
+}
+
+void CameraControl::resize(int width, int height) {
+    film_.width = width;
+    film_.height = height;
+}
+
+void CameraControl::setGlobe(const Globe& globe) {
+    globe_ = globe;
+    Pose pose = pose_;
+    keepAboveGround(pose);
+    if (pose.eye != pose_.eye) place(pose);
+}
+
+void CameraControl::setCamera(const Camera& camera) {
+    camera_ = camera;
+    pose_ = Pose::of(camera);
+}
+
+void CameraControl::reset() {
+    setCamera(home_);
+}
+
+void CameraControl::axisView(int key) {
+    dvec3 outward = globe_.origin(), up = globe_.north();
+    if (key == 3) outward = globe_.east();
+    if (key == 7) outward = globe_.north(), up = -globe_.origin();
+    if (key == 9) outward = glm::normalize(globe_.origin() + globe_.east() + globe_.north());
+    double tangent = std::tan(0.5 * glm::radians(camera_.fov_degrees));
+    double distance = 3.0 * globe_.radius();
+    if (camera_.projection == Projection::Perspective)
+        distance = globe_.radius() / std::sin(std::atan(kFill * tangent));
+    Pose old = Pose::of(home_), pose;
+    dvec3 ahead = -outward;
+    up = glm::normalize(up - glm::dot(up, ahead) * ahead);
+    pose.eye = globe_.centre() + distance * outward;
+    double across = glm::length(old.right), upward = glm::length(old.up);
+    if (camera_.projection == Projection::Orthographic) across = upward = globe_.radius() / kFill;
+    pose.right = across * old.handedness() * glm::cross(up, ahead);
+    pose.up = upward * up;
+    pose.ahead = glm::length(old.ahead) * ahead;
+    place(pose);
+}
+
+void CameraControl::place(const Pose& pose) {
+    pose_ = pose;
+    camera_.camera_from_world = pose.cameraFromWorld();
+}
+
+void CameraControl::keepAboveGround(Pose& pose) const {
+    dvec3 outward = pose.eye - globe_.centre();
+    double distance = glm::length(outward);
+    if (!(distance > 0.0)) return;
+    double lowest = globe_.ground(outward) + kLowest * globe_.radius();
+    double highest = kHighest * globe_.radius();
+    if (distance < lowest || distance > highest)
+        pose.eye = globe_.centre() + outward * (std::clamp(distance, lowest, highest) / distance);
+}
+
+std::optional<dvec3> CameraControl::onSphere(const CursorRay& ray, double radius) const {
+    dvec3 from = ray.origin - globe_.centre();
+    double b = glm::dot(from, ray.direction);
+    dvec3 nearest = from - b * ray.direction;
+    double room = radius * radius - glm::dot(nearest, nearest);
+    if (room < 0.0) return {};
+    double s = -b - std::sqrt(room);
+    if (s <= 0.0 && camera_.projection == Projection::Perspective) return {};
+    return globe_.centre() + nearest - std::sqrt(room) * ray.direction;
+}
+
+dvec3 CameraControl::pivot(const dvec2& cursor, const std::optional<dvec3>& hit) const {
+    if (!hit) return globe_.centre();
+    // The cursor's own ray, not the pixel's that was traced.
+    CursorRay ray = rayAt(cursor);
+    return ray.origin + glm::dot(*hit - ray.origin, ray.direction) * ray.direction;
+}
+
+void CameraControl::grab(const dvec2& cursor, const std::optional<dvec3>& hit) {
+    grabbed_pose_ = pose_;
+    grabbed_raster_ = makeRaster(camera_, film_);
+    grabbed_cursor_ = cursor;
+    grabbed_point_ = pivot(cursor, hit);
+    on_globe_ = hit.has_value() && glm::length(*hit - globe_.centre()) <= 1.001 * globe_.radius();
+}
+
+// Turning about an axis that runs from the centre through the grabbed point leaves that point where it is on the
+// screen. The component of `right` along north is A + B cos + C sin of the angle; it is brought back to what it was.
+dmat3 CameraControl::levelling(const Pose& pose, const dvec3& axis) const {
+    const dvec3& north = globe_.north();
+    double target = glm::dot(glm::normalize(grabbed_pose_.right), north);
+    dvec3 right = glm::normalize(pose.right);
+    double a = glm::dot(right, axis) * glm::dot(axis, north);
+    double b = glm::dot(right, north) - a, c = glm::dot(glm::cross(axis, right), north);
+    double reach = std::hypot(b, c);
+    if (reach < 1e-9) return dmat3(1.0);
+    double middle = std::atan2(c, b), half = std::acos(std::clamp((target - a) / reach, -1.0, 1.0));
+    double first = std::remainder(middle + half, 2.0 * kPi), second = std::remainder(middle - half, 2.0 * kPi);
+    return rotation(axis, std::abs(first) < std::abs(second) ? first : second);
+}
+
+void CameraControl::orbitTo(const dvec2& cursor) {
+    Pose pose = grabbed_pose_;
+    const dvec3& centre = globe_.centre();
+    if (!on_globe_) {  // the sky was grabbed: half a turn a window
+        dvec2 angle = (cursor - grabbed_cursor_) * (kPi / shorterSide(film_));
+        double hand = pose.handedness();
+        pose.turn(rotation(globe_.north(), -hand * angle.x), centre);
+        pose.turn(rotation(glm::normalize(pose.right), -hand * angle.y), centre);
+        return place(pose);
+    }
+    double radius = glm::length(grabbed_point_ - centre);
+    CursorRay ray = rayOf(grabbed_raster_, cursor);
+    std::optional<dvec3> under = onSphere(ray, radius);
+    if (!under) {  // beside the ball: its edge follows
+        dvec3 from = ray.origin - centre;
+        dvec3 nearest = from - glm::dot(from, ray.direction) * ray.direction;
+        under = centre + radius * glm::normalize(nearest);
+    }
+    dvec3 axis = glm::normalize(grabbed_point_ - centre);
+    pose.turn(rotationBetween(glm::normalize(*under - centre), axis), centre);
+    pose.turn(levelling(pose, axis), centre);
+    keepAboveGround(pose);
+    place(pose);
+}
+
+void CameraControl::panTo(const dvec2& cursor) {
+    CursorRay ray = rayOf(grabbed_raster_, cursor);
+    dvec3 ahead = glm::normalize(grabbed_pose_.ahead);
+    double along = glm::dot(ray.direction, ahead);
+    double depth = glm::dot(grabbed_point_ - ray.origin, ahead);
+    CursorRay before = rayOf(grabbed_raster_, grabbed_cursor_);
+    dvec3 was = before.origin + before.direction * (depth / glm::dot(before.direction, ahead));
+    Pose pose = grabbed_pose_;
+    pose.eye += was - (ray.origin + ray.direction * (depth / along));
+    keepAboveGround(pose);
+    place(pose);
+}
+
+void CameraControl::tiltTo(const dvec2& cursor) {
+    dvec2 angle = (cursor - grabbed_cursor_) * (kPi / shorterSide(film_));
+    Pose pose = grabbed_pose_;
+    dvec3 about = grabbed_point_;
+    dvec3 vertical = on_globe_ ? glm::normalize(about - globe_.centre()) : globe_.north();
+    double hand = pose.handedness();
+    dvec3 ahead = glm::normalize(pose.ahead);
+    // 0 looks straight down; upward drags lower the eye towards the horizon.
+    double slant = std::acos(std::clamp(-glm::dot(ahead, vertical), -1.0, 1.0));
+    double wanted = std::clamp(slant - angle.y, 0.0, std::max(slant, 0.52 * kPi));
+    pose.turn(rotation(glm::normalize(pose.right), -hand * (wanted - slant)), about);
+    pose.turn(rotation(vertical, -hand * angle.x), about);
+    keepAboveGround(pose);
+    place(pose);
+}
+
+void CameraControl::zoomOrthographic(const dvec2& cursor, double factor) {
+    dvec3 before = rayAt(cursor).origin;
+    Pose pose = pose_;
+    pose.right *= factor;
+    pose.up *= factor;
+    place(pose);
+    pose.eye += before - rayAt(cursor).origin;
+    place(pose);
+}
+
+// The segment to a first hit is free, so the eye can only come too near its end, or to the ground beside it.
+void CameraControl::limit(Pose& pose, const dvec3& from) const {
+    double lowest = kLowest * globe_.radius();
+    auto fine = [&](const dvec3& eye) { return globe_.altitude(eye) >= lowest; };
+    if (fine(pose.eye) || !fine(from)) return;
+    double good = 0.0, bad = 1.0;
+    dvec3 way = pose.eye - from;
+    for (int i = 0; i < 50; ++i) {
+        double middle = 0.5 * (good + bad);
+        (fine(from + middle * way) ? good : bad) = middle;
+    }
+    pose.eye = from + good * way;
+}
+
+void CameraControl::zoom(const dvec2& cursor, const std::optional<dvec3>& hit, double steps) {
+    double factor = std::pow(kZoomStep, steps);
+    if (camera_.projection == Projection::Orthographic) return zoomOrthographic(cursor, factor);
+    Pose pose = pose_;
+    dvec3 from = pose.eye;
+    double height = std::max(altitude(), kLowest * globe_.radius());
+    if (hit) {
+        dvec3 point = pivot(cursor, hit), away = from - point;
+        double nearest = kLowest * globe_.radius(), distance = glm::length(away);
+        if (steps > 0.0) factor = std::min(1.0, std::max(factor, nearest / distance));
+        pose.eye = point + factor * away;
+    } else if (height > globe_.radius()) {
+        dvec3 outward = glm::normalize(from - globe_.centre());
+        pose.eye += (factor - 1.0) * height * outward;
+    } else {
+        pose.eye += (1.0 - factor) * height * rayAt(cursor).direction;
+    }
+    limit(pose, from);
+    keepAboveGround(pose);
+    place(pose);
+}
+
+void CameraControl::fly(const dvec3& along, double seconds) {
+    Pose pose = pose_;
+    double step = std::max(altitude(), kLowest * globe_.radius()) * seconds;
+    pose.eye += step * (along.x * glm::normalize(pose.right) + along.y * glm::normalize(pose.up) +
+                        along.z * glm::normalize(pose.ahead));
+    keepAboveGround(pose);
+    place(pose);
+}
+
+}  // namespace dsphere::viewer

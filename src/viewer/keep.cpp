@@ -1,0 +1,90 @@
+#include "base/srgb.h"
+#include "image/atomicfile.h"
+#include "image/picture.h"
+#include "viewer/app.h"
+#include "viewer/scenewriter.h"
+
+namespace dsphere::viewer {
+
+namespace {
+
+/// The codes of a picture as the light that writePng() encodes to the same codes.
+Image decoded(const std::vector<std::uint32_t>& codes, int width, int height) {
+    Image image{{0, 0, width, height}, {0, 0, width, height}, {}};
+    const char* const names[] = {"R", "G", "B"};
+    for (int c = 0; c < 3; ++c) {
+        std::vector<float>& plane = image.addFloat(names[c]).floats();
+        for (std::size_t i = 0; i < plane.size(); ++i)
+            plane[i] = float(linearFromSrgb(double((codes[i] >> (8 * c)) & 0xffu) / 255.0));
+    }
+    return image;
+}
+
+/// With the range of heights said that the map itself had given.
+Scene explicitScene(const Document& document) {
+    Scene scene = document.scene;
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+        auto* sphere = std::get_if<DisplacedSphere>(&scene.shapes[i].geometry);
+        if (!sphere || !sphere->own_range) continue;
+        const Heightmap& map = *document.maps.maps[std::size_t(document.maps.map_of_shape[i])];
+        double least = map.least, top = map.greatest > map.least ? double(map.greatest) : least + 1.0;
+        if (!sphere->height_min) sphere->height_min = least;
+        if (!sphere->height_max) sphere->height_max = top;
+        sphere->own_range = false;
+    }
+    return scene;
+}
+
+}  // namespace
+
+// NAME-1, NAME-2 ... in the working folder: the first that is not there.
+std::filesystem::path App::freeName(const char* extension) const {
+    std::string stem = std::filesystem::path(stage_->document().path).stem().string();
+    for (int n = 1;; ++n) {
+        std::filesystem::path path = fmt::format("{}-{}{}", stem, n, extension);
+        if (!std::filesystem::exists(path)) return path;
+    }
+}
+
+void App::takeScreenshot() {
+    screenshot_wanted_ = false;
+    try {
+        std::filesystem::path path = freeName(".png");
+        LiveFilm& film = stage_->film();
+        if (view_.show == Show::Colour) {
+            writePng(path, film.read(), double(tone_.exposure));
+        } else {
+            publish();
+            std::vector<std::uint32_t> codes(std::size_t(film.width()) * std::size_t(film.height()));
+            display_.pixels().download(0, 4 * codes.size(), codes.data());
+            writePng(path, decoded(codes, film.width(), film.height()));
+        }
+        say(fmt::format("Wrote {}, {} samples a pixel.", path.string(), film.samples()));
+    } catch (const Error& error) {
+        say(error.what(), true);
+    }
+}
+
+void App::saveScene() {
+    std::filesystem::path path = freeName(".pbrt");
+    Scene scene = explicitScene(stage_->document());
+    scene.camera = control_->camera();
+    scene.film.width = window_.width();
+    scene.film.height = window_.height();
+    scene.film.filename = path.stem().string() + ".png";
+    scene.sampler.pixel_samples = options_.samples.value_or(targetSamples());
+    std::string text = "# Saved by dsphere view from " + stage_->document().path + "\n";
+    text += sceneText(scene, std::filesystem::current_path());
+    AtomicFile file(path);
+    file.write(text.data(), text.size());
+    file.commit();
+    std::string exposure = tone_.exposure == 0.0f ? "" : fmt::format(" --exposure {}", tone_.exposure);
+    say(fmt::format("Wrote {}: dsphere render {}{}", path.string(), path.string(), exposure));
+}
+
+void App::copyCamera() {
+    window_.copyText(cameraText(control_->camera()));
+    say("The camera is on the clipboard, as pbrt text.");
+}
+
+}  // namespace dsphere::viewer

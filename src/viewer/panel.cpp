@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <cmath>
+
+#include "scene/ramps.h"
+#include "viewer/ui.h"
+
+namespace dsphere::viewer {
+
+namespace {
+
+constexpr const char* kMarchers[] = {"exact", "naive", "naive-shell", "lipschitz"};  // the order of Marcher
+
+void heading(const char* text) {
+    ImGui::Dummy(ImVec2(0.0f, 0.25f * ImGui::GetFontSize()));
+    ImGui::TextColored(ImVec4(0.45f, 0.70f, 1.0f, 1.0f), "%s", text);
+}
+
+bool slider(const char* name, double& value, double low, double high, const char* format,
+            ImGuiSliderFlags flags = ImGuiSliderFlags_None) {
+    return ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &low, &high, format, flags);
+}
+
+void marchSection(Ui& ui) {
+    heading("Marcher");
+    int marcher = int(ui.view.method.marcher);
+    if (ImGui::Combo("marcher", &marcher, kMarchers, IM_ARRAYSIZE(kMarchers)))
+        ui.view.method.marcher = Marcher(marcher);
+    ImGui::Checkbox("split: naive | this", &ui.view.split);
+    int show = int(ui.view.show);
+    if (ImGui::Combo("value", &show, kShowNames, kShowCount)) ui.view.show = Show(show);
+    if (ui.view.show == Show::Steps)
+        ImGui::SliderFloat("red at", &ui.tone.most_steps, 5.0f, 5000.0f, "%.0f steps", ImGuiSliderFlags_Logarithmic);
+}
+
+void reliefSection(Ui& ui) {
+    if (!ui.displaced) return;
+    heading("Relief");
+    slider("exaggeration", ui.tuning.exaggeration, 0.0, 10.0, "%.2f", ImGuiSliderFlags_None);
+    slider("midlevel", ui.tuning.midlevel, -1.0, 1.0, "%.3f");
+    int filter = 0;
+    ImGui::Combo("filter", &filter, "bilinear\0");
+}
+
+void lightSection(Ui& ui) {
+    heading("Light");
+    if (ui.sun) {
+        slider("sun longitude", ui.sun->longitude, -180.0, 180.0, "%.1f°");
+        slider("sun latitude", ui.sun->latitude, -90.0, 90.0, "%.1f°");
+    } else {
+        ImGui::TextDisabled("the scene has no distant light");
+    }
+    ImGui::SliderFloat("exposure", &ui.tone.exposure, -6.0f, 6.0f, "%+.2f stops");
+}
+
+void materialSection(Ui& ui) {
+    heading("Material");
+    std::string current = "colour Kd";
+    if (const auto* ramp = std::get_if<HeightRamp>(&ui.material)) current = ramp->ramp;
+    if (std::holds_alternative<ImageMap>(ui.material)) current = "image";
+    if (ImGui::BeginCombo("material", current.c_str())) {
+        if (ImGui::Selectable("colour Kd", std::holds_alternative<ConstantColour>(ui.material)))
+            ui.material = ConstantColour{};
+        if (ui.displaced)
+            for (const Ramp& ramp : ramps()) {
+                std::string name(ramp.name);
+                if (ImGui::Selectable(name.c_str(), name == current)) ui.material = HeightRamp{name};
+            }
+        if (ui.image && ImGui::Selectable("image", current == "image")) ui.material = *ui.image;
+        ImGui::EndCombo();
+    }
+    if (auto* constant = std::get_if<ConstantColour>(&ui.material)) {
+        float rgb[3] = {float(constant->rgb.x), float(constant->rgb.y), float(constant->rgb.z)};
+        if (ImGui::ColorEdit3("Kd", rgb, ImGuiColorEditFlags_Float))
+            constant->rgb = {double(rgb[0]), double(rgb[1]), double(rgb[2])};
+    }
+}
+
+void keepSection(Ui& ui) {
+    heading("Keep");
+    if (ImGui::Button("Screenshot")) ui.command = Command::Screenshot;
+    ImGui::SameLine();
+    if (ImGui::Button("Copy camera")) ui.command = Command::CopyCamera;
+    if (ImGui::Button("Save scene")) ui.command = Command::SaveScene;
+    ImGui::SameLine();
+    if (ImGui::Button("Reset view")) ui.command = Command::Reset;
+}
+
+void figuresSection(const Figures& figures) {
+    heading("Figures");
+    ImGui::TextDisabled(
+        "%s", fmt::format("{}\n{}x{}, sample {} of {}\n{:.1f} ms a frame\n{:.1f} million camera rays/s", figures.device,
+                          figures.width, figures.height, figures.samples, figures.target_samples,
+                          1e3 * figures.frame_seconds, 1e-6 * figures.rays_per_second)
+                  .c_str());
+}
+
+}  // namespace
+
+void drawPanel(Ui& ui, int width, int height, double scale) {
+    float pad = 12.0f * float(scale), wide = std::min(330.0f * float(scale), float(width) - 2.0f * pad);
+    float most = float(height - statusHeight(scale)) - 2.0f * pad;
+    ImGui::SetNextWindowPos(ImVec2(float(width) - pad, pad), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(wide, 0.0f), ImVec2(wide, most));
+    ImGui::Begin("Panel", &ui.panel_open,
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PushItemWidth(0.58f * ImGui::GetContentRegionAvail().x);
+    marchSection(ui);
+    reliefSection(ui);
+    lightSection(ui);
+    materialSection(ui);
+    keepSection(ui);
+    figuresSection(ui.figures);
+    ImGui::PopItemWidth();
+    ImGui::End();
+}
+
+}  // namespace dsphere::viewer

@@ -1,0 +1,65 @@
+#include "viewer/stage.h"
+
+#include <cmath>
+
+namespace dsphere::viewer {
+
+Stage::Stage(gpu::Device& device, std::unique_ptr<Document> document, const MarchMethod& method)
+    : device_(device),
+      document_(std::move(document)),
+      renderer_(device, document_->packed, document_->scene, method),
+      method_(method) {}
+
+void Stage::setCamera(const Camera& camera, int width, int height) {
+    Scene& scene = document_->scene;
+    scene.camera = camera;
+    scene.film.width = width;
+    scene.film.height = height;
+    scene.film.crop = {0.0, 1.0, 0.0, 1.0};
+    packCamera(document_->packed, scene);
+    renderer_.setCamera(scene);
+}
+
+void Stage::updateLook() {
+    packLook(document_->packed, document_->scene, document_->maps);
+    renderer_.update(false);
+}
+
+void Stage::updateRelief(PackedScene packed, const Tuning& tuning) {
+    Document& document = *document_;
+    document.packed = std::move(packed);
+    Scene scene = tuned(document.original, tuning);
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) document.scene.shapes[i].geometry = scene.shapes[i].geometry;
+    document.tuning = tuning;
+    packLook(document.packed, document.scene, document.maps);
+    packCamera(document.packed, document.scene);
+    film_.reset();  // it may hold a pipeline that goes
+    renderer_.update(true);
+}
+
+bool Stage::prepareFilm(Show show, int width, int height) {
+    const std::uint32_t mask = planesOf(show);
+    if (film_ && film_->film().mask() == mask && int(film_->film().image().width()) >= width &&
+        int(film_->film().image().height()) >= height)
+        return false;
+    film_.reset();
+    film_.emplace(device_, renderer_, width, height, mask);
+    return true;
+}
+
+void Stage::begin(const ViewSettings& view, Sampling sampling) {
+    const int width = renderer_.crop().width();
+    const int middle = view.split ? std::clamp(int(std::lround(view.divider * width)), 0, width) : 0;
+    std::vector<LivePart> parts;
+    if (middle > 0) parts.push_back({Marcher::Naive, 0, middle});
+    if (middle < width) parts.push_back({view.method, middle, width});
+    film_->begin(parts, sampling, std::uint32_t(document_->scene.sampler.seed));
+}
+
+std::optional<Pick> Stage::pick(const dvec2& share) {
+    if (!picker_) picker_.emplace(device_, renderer_);
+    const Box& crop = renderer_.crop();
+    return picker_->at(int(std::floor(share.x * crop.width())), int(std::floor(share.y * crop.height())));
+}
+
+}  // namespace dsphere::viewer

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "viewer/document.h"
+#include "viewer/picker.h"
+#include "viewer/show.h"
+
+#include <memory>
+#include <optional>
+
+namespace dsphere::viewer {
+
+/// A document on the device, and the picture of it that grows.
+class Stage {
+  public:
+    Stage(gpu::Device& device, std::unique_ptr<Document> document, const MarchMethod& method);
+
+    Document& document() { return *document_; }
+    const Document& document() const { return *document_; }
+
+    /// Gives the renderer this camera and a film of width x height.
+    void setCamera(const Camera& camera, int width, int height);
+    /// After a change of lights or of constant and ramp colours of the document's scene.
+    void updateLook();
+    /// Takes a new packing that retune() made.
+    void updateRelief(PackedScene packed, const Tuning& tuning);
+
+    /// Room for pictures of `show` of width x height; true if the old film had to go.
+    bool prepareFilm(Show show, int width, int height);
+    bool hasFilm() const { return film_.has_value(); }
+    LiveFilm& film() { return *film_; }
+    /// Starts a picture with the present camera.
+    void begin(const ViewSettings& view, Sampling sampling);
+
+    /// The ray of the film's pixel that holds a point, given as shares of the window.
+    std::optional<Pick> pick(const dvec2& share);
+
+  private:
+    gpu::Device& device_;
+    std::unique_ptr<Document> document_;
+    Renderer renderer_;
+    std::optional<LiveFilm> film_;
+    std::optional<Picker> picker_;
+    MarchMethod method_;
+};
+
+}  // namespace dsphere::viewer
