@@ -207,7 +207,7 @@ TEST(Malformed, LightsAndShapes) {
         {"WorldBegin Shape \"disk\" \"float innerradius\" 1", "1:12", "innerradius 1 is not below the radius 1"},
         {"WorldBegin Shape \"disk\" \"float innerradius\" -1", "1:45", "at least 0"},
         {"WorldBegin Shape \"displacedsphere\" \"float radius\" 0", "1:51", "greater than 0"},
-        {"WorldBegin Shape \"displacedsphere\" \"string filter\" \"bspline\"", "1:52", "unknown filter \"bspline\""},
+        {"WorldBegin Shape \"displacedsphere\" \"string filter\" \"cubic\"", "1:52", "unknown filter \"cubic\""},
         {"WorldBegin Shape \"displacedsphere\" \"string registration\" \"pixel\"", "1:58",
          "supported: texel, gridline"},
         {"WorldBegin Shape \"displacedsphere\" \"float lonorigin\" 361", "1:54", "in [-360, 360]"},
