@@ -22,7 +22,7 @@ class DeviceScene {
     /// Uploads the objects again: after packCamera.
     void updateObjects(const PackedScene& packed);
 
-    /// Bindings BINDING_OBJECTS to BINDING_IMAGES, in order.
+    /// Bindings BINDING_OBJECTS to BINDING_NODES, in order.
     std::vector<gpu::Resource> resources() const;
     /// Bytes on the device: heights, bounds and edge tables.
     std::uint64_t mapBytes() const { return map_bytes_; }
@@ -34,7 +34,7 @@ class DeviceScene {
 
     gpu::Buffer objects_, maps_, lights_, ramps_;
     std::uint64_t map_bytes_ = 0, image_bytes_ = 0;
-    gpu::StorageImage heights_, bounds_, edges_, images_;
+    gpu::StorageImage heights_, bounds_, edges_, images_, nodes_;
 
     DeviceScene(gpu::Device& device, const PackedScene& packed, const Layout& layout);
 };

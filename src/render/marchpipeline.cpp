@@ -37,6 +37,7 @@ gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const PackedScene& p
     specialization[SPEC_KINDS] = packed.kinds;
     specialization[SPEC_PLANES] = planes;
     specialization[SPEC_IMAGES] = packed.images.empty() ? 0 : 1;
+    specialization[SPEC_SURFACES] = packed.surfaces;
     specialization[SPEC_THRESHOLD] = std::bit_cast<std::uint32_t>(method.threshold);
     specialization[SPEC_STRIDE] =
         std::bit_cast<std::uint32_t>(method.marcher == Marcher::Lipschitz ? safeStride(packed) : 1.0f);
