@@ -15,9 +15,17 @@ bool sceneHasSurface(int surface) {
     return (kSurfaces & (1 << surface)) != 0;
 }
 
+// Whether all of the scene's displaced spheres have that surface: then no test is left, nor the code of the others.
+bool sceneHasOnly(int surface) {
+    return (kSurfaces & ~(1 << SURFACE_SMOOTH_NORMALS)) == 1 << surface;
+}
+
+bool hasSurface(MapData map, int surface) {
+    return sceneHasOnly(surface) || (sceneHasSurface(surface) && map.surface == surface);
+}
+
 bool isRippled(Patch quad) {
-    bool alone = kSurfaces == 1 << SURFACE_RIPPLES;
-    return alone || (sceneHasSurface(SURFACE_RIPPLES) && quad.ripples);
+    return sceneHasOnly(SURFACE_RIPPLES) || (sceneHasSurface(SURFACE_RIPPLES) && quad.ripples);
 }
 
 Patch flatPatch() {
@@ -80,9 +88,11 @@ Patch ripplePatch(MapData map, real scale, ivec2 cell) {
 }
 
 Patch fetchPatch(MapData map, real scale, ivec2 cell) {
-    if (sceneHasSurface(SURFACE_RIPPLES) && map.surface == SURFACE_RIPPLES) return ripplePatch(map, scale, cell);
-    if (sceneHasSurface(SURFACE_SPLINE) && map.surface == SURFACE_SPLINE) return splinePatch(map, scale, cell);
-    return bilinearPatch(map, scale, cell);
+    Patch quad;
+    if (hasSurface(map, SURFACE_BILINEAR)) quad = bilinearPatch(map, scale, cell);
+    if (hasSurface(map, SURFACE_SPLINE)) quad = splinePatch(map, scale, cell);
+    if (hasSurface(map, SURFACE_RIPPLES)) quad = ripplePatch(map, scale, cell);
+    return quad;
 }
 
 // Sine and cosine of an angle whose own are `at`, plus a small one: |x| <= 0.2.

@@ -52,7 +52,7 @@ void moveOn(INOUT(Stroll) stroll, MapData map, bvec2 leaves, bvec2 forward, real
 }
 
 void strollStep(INOUT(Stroll) stroll, Piece piece, MapData map, real scale, bool may_be_inside) {
-    stroll.quad = fetchPatch(map, scale, stroll.cell);
+    Patch quad = fetchPatch(map, scale, stroll.cell);  // too much to carry along: filterMarch fetches the hit's again
     real height = rowHeight(map, stroll.cell.y);
     real rows_per_height = height < real(1) ? real(2) : real(1);
     real x = stroll.x;
@@ -68,7 +68,7 @@ void strollStep(INOUT(Stroll) stroll, Piece piece, MapData map, real scale, bool
     vec3 per_place = vec3(real(1), rows_per_height, real(1));
     vec2 steepness = vec2(piece.steepness.x, piece.steepness.y * rows_per_height);
     real band;
-    stroll.chord = curvedChord(stroll.quad, place * per_place, by * rate * per_place,
+    stroll.chord = curvedChord(quad, place * per_place, by * rate * per_place,
                                (by * by) * piece.bend * per_place, steepness, band);
     Chord chord = stroll.chord;
     real wide = band + chord.miss;

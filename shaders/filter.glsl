@@ -270,6 +270,9 @@ Filtered filterMarch(Ray ray, MapData map, real base, real scale, real shell_squ
         searching = !answer.hit && !answer.doubtful && at.s < s_end && answer.steps < kFilterSteps;
     }
     answer.doubtful = answer.doubtful || answer.steps >= kFilterSteps;
+#ifdef WITH_CURVED
+    answer.stroll.quad = fetchPatch(map, scale, answer.hit ? answer.stroll.cell : ivec2(0));
+#endif
     return answer;
 }
 

@@ -8,7 +8,7 @@ namespace dsphere {
 
 namespace {
 constexpr int kLeastWidth = 512, kLeastRows = 256;
-constexpr int kCellsPerRipple = 32;
+constexpr int kRippleWidth = 1024, kRippleRows = 512, kCellsPerRipple = 32;
 
 int evenFactor(int least, int count) {
     int factor = (least + count - 1) / count;
@@ -37,8 +37,8 @@ NodeGrid::NodeGrid(const Heightmap& map) : map_(map) {
 }
 
 void NodeGrid::spanRipples() {
-    width_ = std::max(kLeastWidth, kCellsPerRipple * map_.ripples->u_frequency);
-    rows_ = std::max(kLeastRows, kCellsPerRipple / 2 * map_.ripples->v_frequency);
+    width_ = std::max(kRippleWidth, kCellsPerRipple * map_.ripples->u_frequency);
+    rows_ = std::max(kRippleRows, kCellsPerRipple / 2 * map_.ripples->v_frequency);
 }
 
 // Even factors put the half-texel offset of texel registration, and its half-high caps, onto whole fine nodes.
