@@ -27,10 +27,11 @@ Chord curvedChord(Patch quad, vec3 start, vec3 slope, vec3 bend, vec2 steepness,
     return makeCurvedChord(g_start, g_end - g_start - bend_g, bend_g, chordTwist(bends, rate, turn));
 }
 
-// Whether g falls all along the chord and ends below the band: then its one root is the first.
+// Whether g falls all along the chord and ends below the band: then its one root is the first. Steeply enough that the
+// parabola's slope is right to a tenth, so that the refinement's two steps reach it.
 bool fallsThrough(Chord chord, real band) {
     real steepest_rise = max(chord.slope, chord.slope + real(2) * chord.bend);
-    return chord.g + chord.slope + chord.bend < -band && steepest_rise < real(-10.4) * chord.miss;
+    return chord.g + chord.slope + chord.bend < -band && steepest_rise < real(-100) * chord.miss;
 }
 
 // From the start of the chord to the cell's edge that lies ahead, along one coordinate.

@@ -1,5 +1,6 @@
 #include "render/marchpipeline.h"
 
+#include "base/error.h"
 #include "surface/slope.h"
 
 #include <algorithm>
@@ -13,6 +14,9 @@ namespace {
 
 // Of |p| - r, for the steepest of the scene's maps; rounded down.
 float safeStride(const PackedScene& packed) {
+    if (packed.curved())
+        throwInvalid(
+            "the Lipschitz marcher knows bilinear surfaces alone; the scene has a B-spline, ripples or smooth normals");
     double bound = 1.0;
     for (const PackedRelief& relief : packed.reliefs)
         bound = std::max(bound, gradientBound(*packed.nodes[std::size_t(relief.map)], relief.base, relief.scale));
