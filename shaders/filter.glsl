@@ -125,8 +125,14 @@ struct Stroll {
     real low, high;
     Patch quad;
     Chord chord;
+#ifdef WITH_CURVED
+    real longest;  // of the next chord, in x
+#endif
 };
 
+#ifdef WITH_CURVED
+void strollStep(INOUT(Stroll) stroll, Piece piece, MapData map, real scale, bool may_be_inside);  // curvedstroll.glsl
+#else
 // g along a chord, y in [0, 1], in the patch and on its piece: the quartic's coefficients from the products, then the
 // parabola through its ends and middle, where y^3 = 1.5 y^2 - 0.5 y and y^4 = 1.75 y^2 - 0.75 y.
 Chord strollChord(Patch quad, vec3 start, vec3 slope, vec3 bend) {
@@ -197,6 +203,8 @@ void strollStep(INOUT(Stroll) stroll, Piece piece, MapData map, real scale, bool
     }
 }
 
+#endif
+
 // The answer in single floats; where it is doubtful the rest means nothing.
 struct Filtered {
     bool hit, inside, doubtful;
@@ -221,6 +229,9 @@ void filterLeaf(INOUT(Filtered) answer, INOUT(Cursor) at, Ray ray, MapData map, 
     stroll.high = real(1);
     stroll.quad = flatPatch();
     stroll.chord = makeChord(real(0), real(0), real(0), real(0), real(0));
+#ifdef WITH_CURVED
+    stroll.longest = real(1);
+#endif
     bool may_be_inside = ray.may_start_inside && at.s <= ray.s_min;
     while (stroll.going && answer.steps < kFilterSteps) {
         strollStep(stroll, piece, map, scale, may_be_inside);
@@ -259,6 +270,9 @@ Filtered filterMarch(Ray ray, MapData map, real base, real scale, real shell_squ
         searching = !answer.hit && !answer.doubtful && at.s < s_end && answer.steps < kFilterSteps;
     }
     answer.doubtful = answer.doubtful || answer.steps >= kFilterSteps;
+#ifdef WITH_CURVED
+    answer.stroll.quad = fetchPatch(map, scale, answer.hit ? answer.stroll.cell : ivec2(0));
+#endif
     return answer;
 }
 

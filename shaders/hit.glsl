@@ -5,6 +5,9 @@ struct ObjectHit {
     bool doubtful;  // only with MARCH_FILTER: full precision must decide, the rest means nothing
     int steps;
     vec3 p, n;     // object space, units of R; n unit, outward (disk: towards the ray's origin)
+#ifdef WITH_CURVED
+    vec3 shading_n;  // n, or the normal of a smoother surface
+#endif
     real stored;   // the map's value
     real residual; // f(p)
 };
@@ -18,6 +21,9 @@ ObjectHit noHit() {
     hit.steps = 0;
     hit.p = vec3(real(0));
     hit.n = vec3(real(0));
+#ifdef WITH_CURVED
+    hit.shading_n = vec3(real(0));
+#endif
     hit.stored = real(0);
     hit.residual = real(0);
     return hit;

@@ -27,9 +27,10 @@ using uint = std::uint32_t;
 #define BINDING_EDGES 6    // rgba32f: sine and cosine of each cell's west (north) edge, then what their rounding left;
                            // the same of the centres of images' texels (disk: their distances)
 #define BINDING_IMAGES 7   // r32ui array: the colour images' texels
-#define BINDING_FILM 8     // r32ui array: one layer a plane (probe.comp: the rays)
-#define BINDING_HITS 9     // probe.comp: the answers
-#define BINDING_RETRY 9    // render.comp: the pixels that FILTER leaves to FULL
+#define BINDING_NODES 8    // rgba32f array: a spline's value, slopes east and south, and twist at the nodes
+#define BINDING_FILM 9     // r32ui array: one layer a plane (probe.comp: the rays)
+#define BINDING_HITS 10    // probe.comp: the answers
+#define BINDING_RETRY 10   // render.comp: the pixels that FILTER leaves to FULL
 
 #define SPEC_MARCHER 0
 #define SPEC_OBJECT_COUNT 1
@@ -40,7 +41,8 @@ using uint = std::uint32_t;
 #define SPEC_THRESHOLD 6  // float; naive, lipschitz: a hit where |p| - r falls under it, units of R
 #define SPEC_STRIDE 7     // float; lipschitz: the share of |p| - r that no step exceeds
 #define SPEC_DETAIL 8     // float; exact: pixels that a level of detail may be off, 0: none is used
-#define SPEC_COUNT 9
+#define SPEC_SURFACES 9   // bit per SURFACE_ that the scene holds; read by the variants WITH_CURVED alone
+#define SPEC_COUNT 10
 
 #define MARCHER_EXACT 0
 #define MARCHER_NAIVE 1        // the seed's: from the camera
@@ -58,6 +60,12 @@ using uint = std::uint32_t;
 #define KIND_DISPLACED 0
 #define KIND_SPHERE 1
 #define KIND_DISK 2
+
+// What a displaced sphere's heights are between the nodes. The shader variants without WITH_CURVED know the first alone.
+#define SURFACE_BILINEAR 0
+#define SURFACE_SPLINE 1
+#define SURFACE_RIPPLES 2
+#define SURFACE_SMOOTH_NORMALS 3  // not a surface: a bilinear one whose shading normals are the spline's
 
 #define IMAGE_NONE 0
 #define IMAGE_CODES 1   // a word a texel: 8-bit sRGB codes, R lowest. The image's first row holds their light, as float
@@ -155,7 +163,10 @@ struct MapData {
     // Of a cell's angular size; versin = 1 - cos; _cap: of the height of the rows that touch a pole.
     float tan_width, tan_height, sin_width, versin_width, sin_height, versin_height, sin_cap, versin_cap;
     float least_pixel;  // length of a pixel, units of R, from which this level of detail serves, for an error of one pixel
-    float pad0, pad1, pad2;
+    // WITH_CURVED alone reads these: SURFACE_; rows of each polar cap; where node row 0 lies in the nodes image; whether
+    // shading normals are those of the nodes; ripples: radians of the sines a column and a row.
+    int surface, cap_rows, nodes_y, nodes_layer, smooth_normals;
+    float phase_u, phase_v;
 };
 
 struct RenderParams {
@@ -191,7 +202,7 @@ static_assert(sizeof(ProbeRay) == 80);
 static_assert(sizeof(ProbeHit) == 48);
 static_assert(sizeof(ObjectData) == 25 * 16 + 24 * 4);
 static_assert(sizeof(LightData) == 32);
-static_assert(sizeof(MapData) == 28 * 4);
+static_assert(sizeof(MapData) == 32 * 4);
 static_assert(sizeof(RenderParams) == 32);
 static_assert(sizeof(RetryHead) == 16);
 }  // namespace dsphere::layout

@@ -125,6 +125,16 @@ void takeCrossing(INOUT(ObjectHit) hit, MapData map, Ray ray, Crossing crossing,
     hit.steps += 4;
 }
 
+#ifdef WITH_CURVED
+// The B-spline's normal at a hit of the bilinear surface, if the object asks for it.
+vec3 smoothNormal(ObjectData object, MapData map, Crossing crossing, ivec2 cell, vec3 normal) {
+    if (!sceneHasSurface(SURFACE_SMOOTH_NORMALS) || map.smooth_normals == 0) return normal;
+    Patch quad = splinePatch(map, real(object.scale), cell);
+    vec3 gradient = patchGradient(map, quad, crossing.at, cell.y, crossing.p);
+    return dot(gradient, gradient) > real(0) ? normalize(gradient) : normal;
+}
+#endif
+
 ObjectHit hitDisplacedFiltered(ObjectData object, MapData map, Ray ray) {
     ObjectHit hit = noHit();
     Filtered answer = filterMarch(ray, map, real(object.base), real(object.scale), real(object.shell_squared));
@@ -132,7 +142,13 @@ ObjectHit hitDisplacedFiltered(ObjectData object, MapData map, Ray ray) {
     hit.inside = answer.inside;
     hit.doubtful = answer.doubtful;
     hit.steps = answer.steps;
-    if (answer.hit) takeCrossing(hit, map, ray, filterRefine(ray, map, basePair(object), answer), answer.stroll.cell);
+    if (answer.hit) {
+        Crossing crossing = filterRefine(ray, map, basePair(object), answer);
+        takeCrossing(hit, map, ray, crossing, answer.stroll.cell);
+#ifdef WITH_CURVED
+        hit.shading_n = smoothNormal(object, map, crossing, answer.stroll.cell, hit.n);
+#endif
+    }
     return hit;
 }
 
@@ -143,7 +159,13 @@ ObjectHit hitDisplacedFully(ObjectData object, MapData map, Ray ray) {
     hit.inside = walk.inside;
     hit.exhausted = walk.exhausted;
     hit.steps = walk.steps;
-    if (walk.hit) takeCrossing(hit, map, ray, refine(ray, map, real(object.scale), walk), walk.frame.cell);
+    if (walk.hit) {
+        Crossing crossing = refine(ray, map, real(object.scale), walk);
+        takeCrossing(hit, map, ray, crossing, walk.frame.cell);
+#ifdef WITH_CURVED
+        hit.shading_n = smoothNormal(object, map, crossing, walk.frame.cell, hit.n);
+#endif
+    }
     return hit;
 }
 
@@ -158,6 +180,9 @@ ObjectHit hitDisplaced(ObjectData object, MapData map, Ray ray) {
 #endif
 #if MARCH_WITH == MARCH_BASELINE
     hit = hitBaseline(object, map, ray);
+#ifdef WITH_CURVED
+    hit.shading_n = hit.n;
+#endif
 #endif
     return hit;
 }
@@ -171,6 +196,9 @@ ObjectHit hitObject(ObjectData object, MapData map, Ray ray) {
     if (sceneHas(KIND_DISPLACED) && object.kind == KIND_DISPLACED) hit = hitDisplaced(object, map, ray);
     if (sceneHas(KIND_SPHERE) && object.kind == KIND_SPHERE) hit = hitUnitSphere(ray);
     if (sceneHas(KIND_DISK) && object.kind == KIND_DISK) hit = hitRing(object, ray);
+#ifdef WITH_CURVED
+    if (object.kind != KIND_DISPLACED) hit.shading_n = hit.n;
+#endif
     return hit;
 }
 

@@ -46,7 +46,7 @@ void putGeometry(ivec2 pixel, SurfacePoint point) {
     put(pixel, PLANE_T, point.hit ? point.t : uintBitsToFloat(0x7f800000u));
     put(pixel, PLANE_PX, point.hit ? point.position : nothing);
     put(pixel, PLANE_NX, point.hit ? point.normal : nothing);
-    put(pixel, PLANE_NSX, point.hit ? point.normal : nothing);
+    put(pixel, PLANE_NSX, point.hit ? shadingNormal(point) : nothing);
     if (wants(PLANE_U) || wants(PLANE_V)) {
         vec2 uv = point.hit ? surfaceUv(objects[point.object], p) : vec2(0.0);
         put(pixel, PLANE_U, uv.x);

@@ -10,6 +10,9 @@ layout(constant_id = SPEC_LIGHT_COUNT) const int kLightCount = 0;
 layout(constant_id = SPEC_KINDS) const int kKinds = 1;
 layout(constant_id = SPEC_PLANES) const uint kPlanes = 0u;
 layout(constant_id = SPEC_IMAGES) const int kImages = 0;
+#ifdef WITH_CURVED
+layout(constant_id = SPEC_SURFACES) const int kSurfaces = 1;
+#endif
 layout(constant_id = SPEC_THRESHOLD) const float kThreshold = 3e-6;
 layout(constant_id = SPEC_STRIDE) const float kStride = 1.0;
 layout(constant_id = SPEC_DETAIL) const float kDetail = 0.0;
@@ -23,12 +26,22 @@ layout(binding = BINDING_BOUNDS, r32f) readonly uniform image2DArray bounds;
 layout(binding = BINDING_EDGES, rgba32f) readonly uniform image2DArray edges;
 layout(binding = BINDING_IMAGES, r32ui) readonly uniform uimage2DArray images;
 
+#ifdef WITH_CURVED
+layout(binding = BINDING_NODES, rgba32f) readonly uniform image2DArray nodes;
+#endif
+
 // Storage images, not textures: filtering may snap weights to 8 bits, and on lavapipe a load costs half a texelFetch.
 float heightAt(MapData map, int column, int row) {
     // Only levels of detail do not start at the image's left edge.
     int x = kDetail > 0.0 ? map.heights_x + column : column;
     return imageLoad(heights, ivec3(x, map.heights_y + row, map.layer)).x;
 }
+
+#ifdef WITH_CURVED
+vec4 nodeAt(MapData map, int column, int row) {
+    return imageLoad(nodes, ivec3(column, map.nodes_y + row, map.nodes_layer));
+}
+#endif
 
 // Levels above the finest lie side by side below it, each face in 1.5 side rows.
 int faceRow(MapData map, int axis, float sign_of_face) {
@@ -74,11 +87,17 @@ float leadingBits(float x) {
 
 #include "numeric.glsl"
 #include "surface.glsl"
+#ifdef WITH_CURVED
+#include "curved.glsl"
+#endif
 #include "ray.glsl"
 #include "frame.glsl"
 #include "walk.glsl"
 #include "march.glsl"
 #include "filter.glsl"
+#ifdef WITH_CURVED
+#include "curvedstroll.glsl"
+#endif
 #include "hit.glsl"
 #include "naive.glsl"
 #include "objects.glsl"

@@ -8,12 +8,24 @@ struct SurfacePoint {
     float t;
     vec3 from_first;  // position seen from object 0's centre
     vec3 position, normal;
+#ifdef WITH_CURVED
+    vec3 smooth_normal;
+#endif
     vec3 object_position, start;  // object space, units of R; start: P', where secondary rays begin
     vec3 albedo;
     float h;  // height on the ramp
     int ramp;
     float residual;
 };
+
+// Where light comes from a smoother surface than the true one, this is its normal.
+vec3 shadingNormal(SurfacePoint point) {
+#ifdef WITH_CURVED
+    return point.smooth_normal;
+#else
+    return point.normal;
+#endif
+}
 
 // Whether the hit at distance t along `towards`, at `from_first` from object 0's centre, comes before the best so far. From
 // afar t rounds to more than objects are apart; places near object 0 then tell them apart.
@@ -62,6 +74,9 @@ void considerObject(inout SurfacePoint best, int k, vec2 raster, vec2 jitter) {
         best.from_first = from_first;
         best.position = worldFromObjectPoint(object, hit.p);
         best.normal = worldNormal(object, hit.n);
+#ifdef WITH_CURVED
+        best.smooth_normal = worldNormal(object, hit.shading_n);
+#endif
         best.object_position = hit.p;
         best.start = hit.p + startOffset(object) * hit.n;
         best.albedo = object.albedo.rgb;
@@ -123,11 +138,23 @@ uint visibleLights(SurfacePoint point, inout bool doubtful) {
     return mask;
 }
 
+#ifdef WITH_CURVED
+// A facet that turns away from the light is dark however its shading normal stands: fades to that instead of breaking off
+// (Chiang, Li and Burley 2019, "Taming the shadow terminator"). 1 where both normals are one.
+float terminatorShare(float cosine, float shading_cosine, float between) {
+    float share = clamp(cosine / max(shading_cosine * between, 1e-6), 0.0, 1.0);
+    return share * (1.0 + share * (1.0 - share));
+}
+#endif
+
 // Radiance that a Lambertian surface of albedo pi sends off because of a light.
 vec3 lightFrom(LightData light, SurfacePoint point) {
     vec3 towards = light.position.xyz - light.position.w * point.position;
     float square = dot(towards, towards);
-    float cosine = max(dot(towards, point.normal) * inversesqrt(square), 0.0);
+    float cosine = max(dot(towards, shadingNormal(point)) * inversesqrt(square), 0.0);
+#ifdef WITH_CURVED
+    cosine *= terminatorShare(dot(towards, point.normal) * inversesqrt(square), cosine, dot(point.normal, point.smooth_normal));
+#endif
     return light.radiance.rgb * (light.position.w > 0.5 ? cosine / square : cosine);
 }
 

@@ -1,6 +1,7 @@
 // The displaced sphere over one cell of its map. Object space, units of R. Expects layout.h, numeric.glsl, and the
 // resource functions heightAt(map, column, row) and edgesAt(x, y).
 
+#ifndef WITH_CURVED
 // One bilinear patch: r = base + a + b fu + c fv + d fu fv, fu eastward and fv southward fractions of the cell.
 struct Patch {
     real a, b, c, d;
@@ -14,6 +15,7 @@ Patch flatPatch() {
     quad.d = real(0);
     return quad;
 }
+#endif
 
 // Where a point stands in a patch. g = |p| - r, positive outside.
 struct PatchPoint {
@@ -44,6 +46,22 @@ real cellsPerRadianV(MapData map, int row) {
     return real(map.cells_per_radian_v) * (map.caps != 0 && isPoleRow(map, row) ? real(2) : real(1));
 }
 
+// Angle from the nearer pole over the distance from the axis, close to that pole.
+real angleOverRho(vec3 p, real rho) {
+    real tangent = rho / max(abs(p.y), real(1e-20));
+    return (real(1) - tangent * tangent * real(1.0 / 3.0)) / max(abs(p.y), real(1e-20));
+}
+
+// e_r - slope_east e_east - slope_south e_south: slopes of r per length.
+vec3 gradientOf(vec3 p, real rho, real radius, real slope_east, real slope_south) {
+    real inverse_rho = real(1) / max(rho, real(1e-20));
+    vec3 east = vec3(p.z, real(0), -p.x) * inverse_rho;
+    vec3 outward = p / radius;
+    vec3 southward = vec3(outward.y * p.x * inverse_rho, -rho / radius, outward.y * p.z * inverse_rho);
+    return outward - slope_east * east - slope_south * southward;
+}
+
+#ifndef WITH_CURVED
 // The patch of a cell from its four corners: `cell` is the north-west one; the column after the last is the first.
 Patch fetchPatch(MapData map, real scale, ivec2 cell) {
     int next = cell.x + 1 == map.width ? 0 : cell.x + 1;
@@ -68,18 +86,11 @@ real patchValue(Patch quad, real fu, real fv) {
 vec3 patchGradient(MapData map, Patch quad, PatchPoint at, int row, vec3 p) {
     real radius = max(length(p), kTiny);
     real rho = sqrt(p.x * p.x + p.z * p.z);
-    real inverse_rho = real(1) / max(rho, real(1e-20));
     real per_radian = cellsPerRadianV(map, row);
-    real slope_east = (quad.b + quad.d * at.fv) * inverse_rho;
-    if (isPoleRow(map, row)) {
-        real tangent = rho / max(abs(p.y), real(1e-20));
-        real angle_over_rho = (real(1) - tangent * tangent * real(1.0 / 3.0)) / max(abs(p.y), real(1e-20));
-        slope_east = (row == 0 ? quad.d : quad.b) * per_radian * angle_over_rho;
-    }
+    real slope_east = (quad.b + quad.d * at.fv) / max(rho, real(1e-20));
+    if (isPoleRow(map, row)) slope_east = (row == 0 ? quad.d : quad.b) * per_radian * angleOverRho(p, rho);
     slope_east *= real(map.cells_per_radian_u);
     real slope_south = (quad.c + quad.d * at.fu) * per_radian / radius;
-    vec3 east = vec3(p.z, real(0), -p.x) * inverse_rho;
-    vec3 outward = p / radius;
-    vec3 southward = vec3(outward.y * p.x * inverse_rho, -rho / radius, outward.y * p.z * inverse_rho);
-    return outward - slope_east * east - slope_south * southward;
+    return gradientOf(p, rho, radius, slope_east, slope_south);
 }
+#endif

@@ -107,8 +107,28 @@ Chord makeChord(real g, real slope, real bend, real cubic, real quartic) {
     return chord;
 }
 
+#ifdef WITH_CURVED
+// Beyond the parabola through three points is at most 1 / (72 sqrt 3) of the third derivative; its slope is off by a
+// twelfth of that, which matters where the chord starts on the surface.
+Chord makeCurvedChord(real g, real slope, real bend, real twist) {
+    Chord chord = makeChord(g, slope, bend, real(0), real(0));
+    chord.miss = real(0.00802) * twist;
+    bool rises = slope > real(0.0834) * twist;
+    chord.lowest = g > chord.miss || rises ? chord.lowest : min(chord.lowest, chord.miss);
+    return chord;
+}
+
+Chord solveChord(PatchPoint start, PatchPoint middle, PatchPoint end, Patch quad) {
+    real bend = real(2) * (start.g + end.g - real(2) * middle.g);
+    vec2 places = vec2(start.fu, start.fv);
+    vec2 bends = real(2) * (places + vec2(end.fu, end.fv) - real(2) * vec2(middle.fu, middle.fv));
+    vec2 rate = vec2(end.fu, end.fv) - places - bends;
+    return makeCurvedChord(start.g, end.g - start.g - bend, bend, chordTwist(patchBends(quad), rate, bends));
+}
+#else
 // The patch's twist makes the terms beyond the parabola, by the bends of fu and fv along the chord.
-Chord solveChord(PatchPoint start, PatchPoint middle, PatchPoint end, real twist) {
+Chord solveChord(PatchPoint start, PatchPoint middle, PatchPoint end, Patch quad) {
+    real twist = quad.d;
     real bend = real(2) * (start.g + end.g - real(2) * middle.g);
     real bend_u = real(2) * (start.fu + end.fu - real(2) * middle.fu);
     real bend_v = real(2) * (start.fv + end.fv - real(2) * middle.fv);
@@ -117,6 +137,7 @@ Chord solveChord(PatchPoint start, PatchPoint middle, PatchPoint end, real twist
     return makeChord(start.g, end.g - start.g - bend, bend, twist * (slope_u * bend_v + slope_v * bend_u),
                      twist * bend_u * bend_v);
 }
+#endif
 
 // First root where g >= 0, as a share of the chord.
 real chordRoot(Chord chord) {
@@ -176,7 +197,7 @@ void walkStep(INOUT(Walk) walk, WalkPlan plan, Ray ray, MapData map, real scale)
     // The ray came from above a bound, so only its own start can lie deeper inside than rounding.
     bool starts_inside = start.g <= real(0) && walk.first && (ray.may_start_inside || !walk.at_start);
     start.g = max(start.g, real(0));
-    Chord chord = solveChord(start, middle, end, quad.d);
+    Chord chord = solveChord(start, middle, end, quad);
     real length_of_chord = far - walk.sigma;
     bool unsure = chord.miss > kTrust && chord.lowest <= chord.miss;
     bool halve = unsure && !starts_inside && length_of_chord > real(4) * kShortestChord;

@@ -1,5 +1,6 @@
 // Embree's meshes as contenders.
 
+#include "base/error.h"
 #include "bench/contender.h"
 #include "bench/devicecontender.h"
 #include "bench/embree.h"
@@ -143,6 +144,9 @@ class OwnMeshScene : public MeshScene {
 }  // namespace
 
 std::unique_ptr<MeshScene> makeMeshScene(const Workload& workload, const Method& method) {
+    if (workload.maps.maps[0]->ripples || workload.maps.reliefs[0].filter != Filter::Bilinear)
+        throwInvalid("{}: meshes have the nodes of bilinear maps; for B-splines and ripples take --methods exact,naive",
+                     workload.map);
     return std::make_unique<OwnMeshScene>(workload, method);
 }
 

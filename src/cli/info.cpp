@@ -29,8 +29,9 @@ const char* nameOf(Registration registration) {
 // and two rows of edge directions.
 void addDevice(Json& json, const NodeGrid& nodes) {
     std::uint64_t side = std::uint64_t(boundsSide(nodes.width()));
-    std::uint64_t node_count = std::uint64_t(nodes.width()) * std::uint64_t(nodes.rows() + 1);
-    std::uint64_t edges = 2 * std::uint64_t(std::max(nodes.width(), nodes.rows()));
+    bool ripples = nodes.map().ripples.has_value();
+    std::uint64_t node_count = ripples ? 0 : std::uint64_t(nodes.width()) * std::uint64_t(nodes.rows() + 1);
+    std::uint64_t edges = (ripples ? 4 : 2) * std::uint64_t(std::max(nodes.width(), nodes.rows()));
     json["bounds"] = {{"side", side}, {"levels", std::bit_width(side)}, {"bytes", 4 * 9 * side * side}};
     json["device_bytes"] = 4 * node_count + 4 * 9 * side * side + 16 * edges;
 }

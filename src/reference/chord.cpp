@@ -146,12 +146,10 @@ SlopeRange Chord::slopes(const ChordBox& box) const {
         const Rates rate = rates(box, j);
         const double b0 = std::max(box.row0 - j, 0.0), b1 = std::min(box.row1 - j, 1.0);
         for (int i = int(box.column0); i <= int(box.column1); ++i) {
-            const Patch patch = grid.patch(i % grid.columns(), j);
             const double a0 = std::max(box.column0 - i, 0.0), a1 = std::min(box.column1 - i, 1.0);
-            SlopeRange east = ordered(patch.slopeEast(b0), patch.slopeEast(b1));
-            if (grid.isCap(j)) east.least = east.greatest = j == 0 ? patch.se - patch.sw : patch.ne - patch.nw;
-            const SlopeRange along = product(east, rate.east);
-            const SlopeRange down = product(ordered(patch.slopeSouth(a0), patch.slopeSouth(a1)), rate.south);
+            const CellSlopeRanges slope = surface_->slopesOver(i % grid.columns(), j, {a0, a1, b0, b1});
+            const SlopeRange along = product(slope.east, rate.east);
+            const SlopeRange down = product(slope.south, rate.south);
             all = hull(all, {along.least + down.least, along.greatest + down.greatest});
             size = std::max(size, magnitude(along) + magnitude(down));
         }

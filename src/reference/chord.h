@@ -20,18 +20,13 @@ struct ChordBox {
     double row0, row1;
 };
 
-/// least <= slope <= greatest
-struct SlopeRange {
-    double least, greatest;
-};
-
 class Chord {
   public:
     Chord(const Surface& surface, const Line& line);
 
     ChordPoint point(double s) const;
     /// f at a point of the chord, to within surface().evaluationError().
-    double f(const ChordPoint& p) const { return p.rho - surface_->radiusOf(surface_->grid().value(p.column, p.row)); }
+    double f(const ChordPoint& p) const { return p.rho - surface_->radiusOf(surface_->valueAt(p.column, p.row)); }
     double f(double s) const { return f(point(s)); }
 
     /// The piece from a to b, a.s <= b.s.

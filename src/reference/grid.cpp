@@ -16,10 +16,17 @@ PatchGrid::PatchGrid(const Heightmap& map) : map_(&map), columns_(map.width) {
     line_shift_ = texel ? 0.5 : 0.0;
     row_height_ = kPi / (texel ? map.height : map.height - 1);
     cap_height_ = texel ? 0.5 * row_height_ : row_height_;
-    cell_width_ = 2.0 * kPi / map.width;
+    if (map.ripples) {
+        columns_ = kCellsPerRipple * map.ripples->u_frequency;
+        rows_ = kCellsPerRipple / 2 * map.ripples->v_frequency;
+        line_offset_ = 0;
+        line_shift_ = 0.0;
+        row_height_ = cap_height_ = kPi / rows_;
+    }
+    cell_width_ = 2.0 * kPi / columns_;
     double turns = (map.longitude_origin + 180.0) / 360.0;
-    double shift = map.width * (turns - std::floor(turns)) + (texel ? 0.5 : 0.0);
-    column_shift_ = shift - map.width * std::floor(shift / map.width);
+    double shift = columns_ * (turns - std::floor(turns)) + (texel && !map.ripples ? 0.5 : 0.0);
+    column_shift_ = shift - columns_ * std::floor(shift / columns_);
 }
 
 double PatchGrid::columnOf(double longitude) const {

@@ -20,8 +20,11 @@ struct Patch {
 
 /// Refers to the map, which must outlive it. Row 0 and the last row touch the poles: two of their corners are the pole
 /// value. Texel registration: rows = height + 1 and these two are half as high as the others; gridline: height - 1.
+/// Ripples have cells alone, kCellsPerRipple a period of each sine, rows from pole to pole; no patches.
 class PatchGrid {
   public:
+    static constexpr int kCellsPerRipple = 8;
+
     explicit PatchGrid(const Heightmap& map);
 
     int columns() const { return columns_; }

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "base/math.h"
+#include "reference/curved.h"
 #include "reference/grid.h"
 #include "reference/pyramid.h"
 
+#include <optional>
 #include <vector>
 
 namespace dsphere::reference {
@@ -31,6 +33,14 @@ class Surface {
     /// Of f, in closed form from the patch that p is over (at a crease: one of them). On the axis e_r. p is not 0.
     dvec3 gradient(const dvec3& p) const;
     dvec3 normal(const dvec3& p) const;  ///< the gradient's direction: unit, outward
+    /// The shading normal: the B-spline's if the relief asks for smooth normals, else normal(p).
+    dvec3 shadingNormal(const dvec3& p) const;
+
+    /// The stored value at cell coordinates as PatchGrid gives them.
+    double valueAt(double column, double row) const;
+    /// Of a point of a cell, and bounds over a part of one.
+    CellSlopes slopesAt(int i, int j, double a, double b) const;
+    CellSlopeRanges slopesOver(int i, int j, const CellPart& part) const;
 
     /// Bounds of r over u0 <= u <= u1 (any reals; wraps), 0 <= v0 <= v <= v1 <= 1.
     RadiusBounds bounds(double u0, double u1, double v0, double v1) const;
@@ -50,10 +60,17 @@ class Surface {
 
   private:
     std::vector<double> boundEvaluationErrors() const;
+    CellSlopes steepest(int j) const;
+    dvec3 gradientFrom(const dvec3& p, CellSlopes (Surface::*slopes)(int, int, double, double) const) const;
+    CellSlopes smoothSlopesAt(int i, int j, double a, double b) const { return smooth_->slopes(i, j, a, b); }
+    SlopeRange valueRange(double column0, double column1, double row0, double row1) const;
 
     PatchGrid grid_;
-    BoundsPyramid pyramid_;
+    std::optional<SplineField> spline_, smooth_;  // smooth_: of the shading normals alone
+    std::optional<RippleField> ripples_;
+    std::optional<BoundsPyramid> pyramid_;  // of patches; ripples have none
     Relief relief_;
+    double greatest_stored_;  // magnitude
     double greatest_radius_, least_radius_, evaluation_error_;
     std::vector<double> row_errors_;  // of each row of cells
 };

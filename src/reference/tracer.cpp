@@ -9,6 +9,19 @@
 
 namespace dsphere::reference {
 
+namespace {
+
+// Chiang, Li and Burley 2019, "Taming the shadow terminator": the cosine with the geometric normal over the one that
+// the smooth normal lets expect, 1 or more becoming 1, made smooth.
+double terminatorShare(const Tracer::Normals& normals, const dvec3& towards, double smooth_cosine) {
+    if (normals.geometric == normals.smooth) return 1.0;
+    const double expected = smooth_cosine * glm::dot(normals.geometric, normals.smooth);
+    const double share = std::clamp(glm::dot(normals.geometric, towards) / std::max(expected, 1e-6), 0.0, 1.0);
+    return share + share * share - share * share * share;
+}
+
+}  // namespace
+
 LightRay lightRay(const Light& light, const dvec3& world_point) {
     if (const auto* distant = std::get_if<DistantLight>(&light))
         return {distant->direction, std::numeric_limits<double>::infinity()};
@@ -57,6 +70,10 @@ WorldHit Tracer::worldHit(int shape, const FirstHit& hit, const dvec3& direction
     if (const Surface* displaced = surface(shape); displaced && hit.position != dvec3(0.0))
         normal = displaced->gradient(hit.position);
     normal = glm::normalize(transformNormal(objectFromWorld(shape), glm::normalize(normal)));
+    const dvec3 shading_normal = disk && glm::dot(normal, direction) > 0.0 ? -normal : normal;
+    dvec3 smooth_normal = shading_normal;
+    if (const Surface* displaced = surface(shape); displaced && hit.position != dvec3(0.0))
+        smooth_normal = glm::normalize(transformNormal(objectFromWorld(shape), displaced->shadingNormal(hit.position)));
     return {.hit = true,
             .inside = hit.inside,
             .shape = shape,
@@ -66,7 +83,8 @@ WorldHit Tracer::worldHit(int shape, const FirstHit& hit, const dvec3& direction
             .position = transformPoint(what.world_from_object, hit.position),
             .object_position = hit.position,
             .normal = normal,
-            .shading_normal = disk && glm::dot(normal, direction) > 0.0 ? -normal : normal};
+            .shading_normal = shading_normal,
+            .smooth_normal = smooth_normal};
 }
 
 WorldHit Tracer::firstHit(const dvec3& origin, const dvec3& direction) const {
@@ -107,12 +125,12 @@ dvec3 Tracer::reflectance(int shape, const dvec3& object_position) const {
     return rampColour(ramps()[std::size_t(ramp)], displaced->height(object_position));
 }
 
-dvec3 Tracer::shade(int shape, const dvec3& object_position, const dvec3& world_normal, std::uint32_t lit) const {
+dvec3 Tracer::shade(int shape, const dvec3& object_position, const Normals& normals, std::uint32_t lit) const {
     const dvec3 point = transformPoint(scene_->shapes[std::size_t(shape)].world_from_object, object_position);
-    return shadeAt(shape, object_position, point, world_normal, lit);
+    return shadeAt(shape, object_position, point, normals, lit);
 }
 
-dvec3 Tracer::shadeAt(int shape, const dvec3& object_position, const dvec3& point, const dvec3& world_normal,
+dvec3 Tracer::shadeAt(int shape, const dvec3& object_position, const dvec3& point, const Normals& normals,
                       std::uint32_t lit) const {
     dvec3 irradiance(0.0);
     for (std::size_t k = 0; k < scene_->lights.size() && k < 32; ++k) {
@@ -120,7 +138,8 @@ dvec3 Tracer::shadeAt(int shape, const dvec3& object_position, const dvec3& poin
         const dvec3 towards = lightRay(scene_->lights[k], point).direction;
         const double distance2 = glm::dot(towards, towards);
         if (distance2 == 0.0) continue;
-        const double cosine = std::max(0.0, glm::dot(world_normal, towards) / std::sqrt(distance2));
+        const double smooth_cosine = std::max(0.0, glm::dot(normals.smooth, towards) / std::sqrt(distance2));
+        const double cosine = smooth_cosine * terminatorShare(normals, towards / std::sqrt(distance2), smooth_cosine);
         if (const auto* light = std::get_if<PointLight>(&scene_->lights[k]))
             irradiance += light->intensity * (cosine / distance2);
         else

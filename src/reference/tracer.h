@@ -22,6 +22,7 @@ struct WorldHit {
     dvec3 object_position{0.0};                               ///< in the shape's object space
     dvec3 normal{0.0};                                        ///< world, unit: outward; a disk's is its +z
     dvec3 shading_normal{0.0};  ///< the same, but a disk's is turned to the side that the ray comes from
+    dvec3 smooth_normal{0.0};   ///< the same, but of the smoother surface that light is reckoned with, if there is one
 
     double t() const { return t_root; }
 };
@@ -60,11 +61,15 @@ class Tracer {
 
     dvec3 reflectance(int shape, const dvec3& object_position) const;
     /// Radiance towards the viewer: the sum over the lights whose bit is set in `lit` of reflectance / pi max(0, N.L)
-    /// times the distant light's radiance or the point light's intensity over its squared distance. `world_normal` is
-    /// unit, on the viewer's side (WorldHit::shading_normal).
-    dvec3 shade(int shape, const dvec3& object_position, const dvec3& world_normal, std::uint32_t lit) const;
+    /// times the distant light's radiance or the point light's intensity over its squared distance. Normals are world
+    /// ones, unit, on the viewer's side (WorldHit::shading_normal and smooth_normal, which is N). Where they differ the
+    /// light fades as it comes to graze the first, which decides on shadows.
+    struct Normals {
+        dvec3 geometric, smooth;
+    };
+    dvec3 shade(int shape, const dvec3& object_position, const Normals& normals, std::uint32_t lit) const;
     /// The same with the world point that directions to lights are taken from: a device's own, rounded one.
-    dvec3 shadeAt(int shape, const dvec3& object_position, const dvec3& world_point, const dvec3& world_normal,
+    dvec3 shadeAt(int shape, const dvec3& object_position, const dvec3& world_point, const Normals& normals,
                   std::uint32_t lit) const;
 
     /// The surface of a displaced sphere; nullptr for other shapes.

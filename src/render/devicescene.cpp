@@ -1,7 +1,9 @@
 #include "render/devicescene.h"
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "gpu/device.h"
+#include "surface/spline.h"
 
 #include <algorithm>
 #include <cstring>
@@ -69,6 +71,36 @@ void uploadNodes(gpu::StorageImage& image, const NodeGrid& nodes, Stack::Place p
                      });
 }
 
+// The same of what a spline has at the nodes.
+void uploadSpline(gpu::StorageImage& image, const NodeGrid& nodes, Stack::Place place) {
+    const SplineNodes spline(nodes);
+    int width = nodes.width(), rows_at_once = std::max(1, (1 << 20) / width);
+    for (int first = 0; first <= nodes.rows(); first += rows_at_once) {
+        int count = std::min(rows_at_once, nodes.rows() + 1 - first);
+        std::vector<SplineNodes::Node> chunk(std::size_t(width) * std::size_t(count));
+        parallelFor(std::size_t(count), [&](std::size_t j) {
+            std::ranges::copy(spline.row(first + int(j)), chunk.begin() + std::ptrdiff_t(width) * std::ptrdiff_t(j));
+        });
+        image.upload(std::uint32_t(place.layer), 0, std::uint32_t(place.y + first), std::uint32_t(width),
+                     std::uint32_t(count), chunk.data());
+    }
+}
+
+/// What the reliefs of a map read of it.
+struct MapUse {
+    bool heights = false, spline = false;
+};
+
+MapUse useOf(const PackedScene& packed, std::size_t map) {
+    MapUse use;
+    for (const PackedRelief& relief : packed.reliefs) {
+        if (std::size_t(relief.map) != map || packed.nodes[map]->map().ripples) continue;
+        use.heights = use.heights || relief.filter == Filter::Bilinear;
+        use.spline = use.spline || relief.filter == Filter::BSpline || relief.smooth_normals;
+    }
+    return use;
+}
+
 // appendRow() makes each row anew, so they are not made before there is room for them.
 void uploadImage(gpu::StorageImage& image, const ImageWords& source, Stack::Place place) {
     std::vector<std::uint32_t> words;
@@ -83,8 +115,9 @@ void uploadImage(gpu::StorageImage& image, const ImageWords& source, Stack::Plac
 }  // namespace
 
 struct DeviceScene::Layout {
-    Stack heights, bounds, edges, images;
-    std::vector<Stack::Place> node_places, bound_places, image_places;
+    Stack heights, bounds, edges, images, nodes;
+    std::vector<MapUse> uses;  ///< one a map, as the places of its heights and of its spline
+    std::vector<Stack::Place> height_places, node_places, bound_places, image_places;
     std::vector<int> centre_rows;       ///< in the edges, one an object
     std::vector<layout::MapData> maps;  ///< one a relief
 
@@ -132,23 +165,30 @@ struct DeviceScene::Layout {
     Layout(const gpu::Device& device, const PackedScene& packed) {
         int limit = int(device.limits().max_image_dimension_2d);
         heights.limit = bounds.limit = edges.limit = images.limit = limit;
-        for (const auto& nodes : packed.nodes) {
-            if (nodes->width() > limit || nodes->rows() + 1 > limit)
+        nodes.limit = limit;
+        for (std::size_t i = 0; i < packed.nodes.size(); ++i) {
+            const NodeGrid& grid = *packed.nodes[i];
+            if (grid.width() > limit || grid.rows() + 1 > limit)
                 throwInvalid("{}: a map of {}x{} texels takes an image of {}x{}, but those of {} end at {}x{}",
-                             nodes->map().path, nodes->map().width, nodes->map().height, nodes->width(),
-                             nodes->rows() + 1, device.info().name, limit, limit);
-            node_places.push_back(heights.addBeside(nodes->width(), nodes->rows() + 1));
+                             grid.map().path, grid.map().width, grid.map().height, grid.width(), grid.rows() + 1,
+                             device.info().name, limit, limit);
+            uses.push_back(useOf(packed, i));
+            height_places.push_back(uses[i].heights ? heights.addBeside(grid.width(), grid.rows() + 1)
+                                                    : Stack::Place{0, 0});
+            node_places.push_back(uses[i].spline ? nodes.add(grid.width(), grid.rows() + 1) : Stack::Place{0, 0});
         }
         for (const PackedRelief& relief : packed.reliefs) {
             layout::MapData data = relief.shader.data;
-            Stack::Place nodes = node_places[std::size_t(relief.map)];
-            data.heights_x = nodes.x;
-            data.heights_y = nodes.y;
-            data.layer = nodes.layer;
+            Stack::Place height_place = height_places[std::size_t(relief.map)];
+            data.heights_x = height_place.x;
+            data.heights_y = height_place.y;
+            data.layer = height_place.layer;
+            data.nodes_y = node_places[std::size_t(relief.map)].y;
+            data.nodes_layer = node_places[std::size_t(relief.map)].layer;
             bound_places.push_back(bounds.add(relief.bounds.side, relief.bounds.imageHeight()));
             data.bounds_y = bound_places.back().y;
             data.bounds_layer = bound_places.back().layer;
-            data.edges_y = edges.add(std::max(data.width, data.rows), 2).y;
+            data.edges_y = edges.add(std::max(data.width, data.rows), relief.shader.longitude_phases.empty() ? 2 : 4).y;
             maps.push_back(data);
         }
         placeImages(device, packed);
@@ -168,9 +208,12 @@ DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, std::sh
       heights_(makeImage(device, gpu::Format::R32Float, layout_->heights, "heights")),
       bounds_(makeImage(device, gpu::Format::R32Float, layout_->bounds, "bounds")),
       edges_(makeImage(device, gpu::Format::Rgba32Float, layout_->edges, "edges")),
-      images_(makeImage(device, gpu::Format::R32Uint, layout_->images, "images")) {
-    for (std::size_t i = 0; i < packed.nodes.size(); ++i)
-        uploadNodes(heights_, *packed.nodes[i], layout_->node_places[i]);
+      images_(makeImage(device, gpu::Format::R32Uint, layout_->images, "images")),
+      nodes_(makeImage(device, gpu::Format::Rgba32Float, layout_->nodes, "nodes")) {
+    for (std::size_t i = 0; i < packed.nodes.size(); ++i) {
+        if (layout_->uses[i].heights) uploadNodes(heights_, *packed.nodes[i], layout_->height_places[i]);
+        if (layout_->uses[i].spline) uploadSpline(nodes_, *packed.nodes[i], layout_->node_places[i]);
+    }
     auto uploadEdges = [&](int y, const std::vector<layout::vec4>& edges) {
         edges_.upload(0, 0, std::uint32_t(y), std::uint32_t(edges.size()), 1, edges.data());
     };
@@ -178,6 +221,9 @@ DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, std::sh
         const PackedRelief& relief = packed.reliefs[i];
         uploadEdges(layout_->maps[i].edges_y, relief.shader.longitude_edges);
         uploadEdges(layout_->maps[i].edges_y + 1, relief.shader.colatitude_edges);
+        if (relief.shader.longitude_phases.empty()) continue;
+        uploadEdges(layout_->maps[i].edges_y + 2, relief.shader.longitude_phases);
+        uploadEdges(layout_->maps[i].edges_y + 3, relief.shader.colatitude_phases);
     }
     updateReliefs(packed);
     for (std::size_t i = 0; i < packed.centres.size(); ++i) {
@@ -191,7 +237,7 @@ DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, std::sh
     if (!packed.images.empty())
         image_bytes_ =
             std::uint64_t(images_.width()) * images_.height() * images_.layers() * texelBytes(images_.format());
-    for (const gpu::StorageImage* image : {&heights_, &bounds_, &edges_})
+    for (const gpu::StorageImage* image : {&heights_, &bounds_, &edges_, &nodes_})
         map_bytes_ += std::uint64_t(image->width()) * image->height() * image->layers() * texelBytes(image->format());
 }
 
@@ -214,7 +260,7 @@ void DeviceScene::updateReliefs(const PackedScene& packed) {
 }
 
 std::vector<gpu::Resource> DeviceScene::resources() const {
-    return {&objects_, &maps_, &lights_, &ramps_, &heights_, &bounds_, &edges_, &images_};
+    return {&objects_, &maps_, &lights_, &ramps_, &heights_, &bounds_, &edges_, &images_, &nodes_};
 }
 
 }  // namespace dsphere

@@ -27,7 +27,7 @@ class DeviceScene {
     /// Uploads the bounds again: of the same maps under other reliefs, as many as before.
     void updateReliefs(const PackedScene& packed);
 
-    /// Bindings BINDING_OBJECTS to BINDING_IMAGES, in order.
+    /// Bindings BINDING_OBJECTS to BINDING_NODES, in order.
     std::vector<gpu::Resource> resources() const;
     /// Bytes on the device: heights, bounds and edge tables.
     std::uint64_t mapBytes() const { return map_bytes_; }
@@ -40,7 +40,7 @@ class DeviceScene {
     std::shared_ptr<const Layout> layout_;
     gpu::Buffer objects_, maps_, lights_, ramps_;
     std::uint64_t map_bytes_ = 0, image_bytes_ = 0;
-    gpu::StorageImage heights_, bounds_, edges_, images_;
+    gpu::StorageImage heights_, bounds_, edges_, images_, nodes_;
 
     DeviceScene(gpu::Device& device, const PackedScene& packed, std::shared_ptr<const Layout> shared);
 };

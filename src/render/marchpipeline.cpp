@@ -1,5 +1,6 @@
 #include "render/marchpipeline.h"
 
+#include "base/error.h"
 #include "surface/slope.h"
 
 #include <algorithm>
@@ -13,6 +14,9 @@ namespace {
 
 // Of |p| - r, for the steepest of the scene's maps; rounded down.
 float safeStride(const PackedScene& packed) {
+    if (packed.curved())
+        throwInvalid(
+            "the Lipschitz marcher knows bilinear surfaces alone; the scene has a B-spline, ripples or smooth normals");
     double bound = 1.0;
     for (const PackedRelief& relief : packed.reliefs)
         bound = std::max(bound, gradientBound(*packed.nodes[std::size_t(relief.map)], relief.base, relief.scale));
@@ -37,6 +41,7 @@ gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const PackedScene& p
     specialization[SPEC_KINDS] = packed.kinds;
     specialization[SPEC_PLANES] = planes;
     specialization[SPEC_IMAGES] = packed.images.empty() ? 0 : 1;
+    specialization[SPEC_SURFACES] = packed.surfaces;
     specialization[SPEC_THRESHOLD] = std::bit_cast<std::uint32_t>(method.threshold);
     specialization[SPEC_STRIDE] =
         std::bit_cast<std::uint32_t>(method.marcher == Marcher::Lipschitz ? safeStride(packed) : 1.0f);

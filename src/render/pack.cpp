@@ -148,12 +148,16 @@ int findOrAddRelief(PackedScene& packed, int map, const Relief& relief, Levels l
     double base = relief.base / relief.greatest_radius, scale = relief.scale / relief.greatest_radius;
     for (std::size_t i = 0; i < packed.reliefs.size(); ++i) {
         const PackedRelief& other = packed.reliefs[i];
-        if (other.map == map && other.base == base && other.scale == scale) return int(i);
+        if (other.map == map && other.base == base && other.scale == scale && other.filter == relief.filter &&
+            other.smooth_normals == relief.smooth_normals)
+            return int(i);
     }
-    PackedRelief added{map, base, scale, {}, {}, -1};
+    PackedRelief added{map, base, scale, relief.filter, relief.smooth_normals, {}, {}, -1};
     const NodeGrid& nodes = *packed.nodes[std::size_t(map)];
     added.bounds = buildBounds(nodes, relief);
-    added.shader = packMap(nodes, added.bounds);
+    added.shader = packMap(nodes, added.bounds, relief);
+    packed.surfaces |= 1u << added.shader.data.surface;
+    if (relief.smooth_normals) packed.surfaces |= 1u << SURFACE_SMOOTH_NORMALS;
     packed.reliefs.push_back(std::move(added));
     const int index = int(packed.reliefs.size()) - 1;
     if (levels == Levels::All) packLevels(packed, index, relief);

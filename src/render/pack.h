@@ -17,6 +17,8 @@ namespace dsphere {
 struct PackedRelief {
     int map = 0;                     ///< index in PackedScene::nodes
     double base = 1.0, scale = 0.0;  ///< r = base + scale * stored value, units of R
+    Filter filter = Filter::Bilinear;
+    bool smooth_normals = false;
     Bounds bounds;
     PackedMap shader;
     int coarser = -1;  ///< index in PackedScene::reliefs of the next level of detail; -1: none
@@ -39,6 +41,10 @@ struct PackedScene {
     std::vector<PackedCentres> centres;              ///< one an object, empty without an image
     std::vector<layout::vec4> ramp_points;           ///< all ramps, RAMP_POINTS each
     std::uint32_t kinds = 0;                         ///< bit per KIND_ in use
+    std::uint32_t surfaces = 0;                      ///< bit per SURFACE_ in use
+
+    /// Whether the shader variants WITH_CURVED are needed.
+    bool curved() const { return surfaces > 1u << SURFACE_BILINEAR; }
 };
 
 /// Error (InvalidInput) with more than MAX_OBJECTS shapes, MAX_LIGHTS lights, or MAX_MARCHES rays a pixel.

@@ -39,6 +39,7 @@ float roundUp(double value) {
 // pixels: those of the level before are then shorter than a pixel, and would alias.
 void packLevels(PackedScene& packed, int finest, const Relief& relief) {
     const NodeGrid& whole = *packed.nodes[std::size_t(packed.reliefs[std::size_t(finest)].map)];
+    if (relief.filter != Filter::Bilinear || whole.map().ripples) return;  // the error of no other is known
     double least_pixel = 0.0;
     int last = finest;
     for (int level = 1; level < MAX_LEVELS; ++level) {
@@ -48,8 +49,15 @@ void packLevels(PackedScene& packed, int finest, const Relief& relief) {
         double error = greatestDifference(whole, nodes) * std::abs(relief.scale) / relief.greatest_radius;
         least_pixel = std::max({least_pixel, error, 0.5 * nodes.cellWidth()});
         const PackedRelief& whole_relief = packed.reliefs[std::size_t(finest)];
-        PackedRelief added{half, whole_relief.base, whole_relief.scale, buildBounds(nodes, relief), {}, -1};
-        added.shader = packMap(nodes, added.bounds);
+        PackedRelief added{half,
+                           whole_relief.base,
+                           whole_relief.scale,
+                           whole_relief.filter,
+                           whole_relief.smooth_normals,
+                           buildBounds(nodes, relief),
+                           {},
+                           -1};
+        added.shader = packMap(nodes, added.bounds, relief);
         added.shader.data.least_pixel = roundUp(least_pixel);
         packed.reliefs[std::size_t(last)].coarser = int(packed.reliefs.size());
         last = int(packed.reliefs.size());

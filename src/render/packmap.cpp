@@ -1,5 +1,7 @@
 #include "render/packmap.h"
 
+#include "surface/ripples.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,9 +22,25 @@ float versin(double angle) {
     return float(2.0 * half * half);
 }
 
+void packSurface(PackedMap& packed, const NodeGrid& nodes, const Relief& relief) {
+    layout::MapData& data = packed.data;
+    data.cap_rows = nodes.capRows();
+    data.surface = relief.filter == Filter::BSpline ? SURFACE_SPLINE : SURFACE_BILINEAR;
+    data.smooth_normals = relief.smooth_normals ? 1 : 0;
+    const Heightmap& map = nodes.map();
+    if (!map.ripples) return;
+    data.surface = SURFACE_RIPPLES;
+    data.phase_u = float(map.ripples->u_frequency * nodes.cellWidth());
+    data.phase_v = float(map.ripples->v_frequency * nodes.cellHeight());
+    for (int i = 0; i < nodes.width(); ++i)
+        packed.longitude_phases.push_back(edgeOf(ripplePhase(map, nodes.longitude(i))));
+    for (int j = 0; j < nodes.rows(); ++j)
+        packed.colatitude_phases.push_back(edgeOf(map.ripples->v_frequency * nodes.colatitude(j)));
+}
+
 }  // namespace
 
-PackedMap packMap(const NodeGrid& nodes, const Bounds& bounds) {
+PackedMap packMap(const NodeGrid& nodes, const Bounds& bounds, const Relief& relief) {
     PackedMap packed;
     layout::MapData& data = packed.data;
     data = {};
@@ -47,6 +65,7 @@ PackedMap packMap(const NodeGrid& nodes, const Bounds& bounds) {
     data.versin_cap = versin(cap);
     for (int i = 0; i < nodes.width(); ++i) packed.longitude_edges.push_back(edgeOf(nodes.longitude(i)));
     for (int j = 0; j < nodes.rows(); ++j) packed.colatitude_edges.push_back(edgeOf(nodes.colatitude(j)));
+    packSurface(packed, nodes, relief);
     return packed;
 }
 

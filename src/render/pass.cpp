@@ -2,14 +2,19 @@
 
 #include "gpu/device.h"
 #include "shaders/render_baseline.spv.h"
+#include "shaders/render_baseline_curved.spv.h"
 #include "shaders/render_filter.spv.h"
+#include "shaders/render_filter_curved.spv.h"
 #include "shaders/render_full.spv.h"
+#include "shaders/render_full_curved.spv.h"
 
 #include <algorithm>
 
 namespace dsphere {
 
 namespace {
+
+using Spirv = std::span<const std::uint32_t>;
 
 std::uint32_t groups(int pixels, int group) {
     return std::uint32_t((pixels + group - 1) / group);
@@ -27,23 +32,32 @@ std::vector<gpu::Resource> bindAll(const DeviceScene& scene, const gpu::StorageI
     return resources;
 }
 
-std::span<const std::uint32_t> firstShader(const MarchMethod& method) {
-    if (method.marcher == Marcher::Exact) return kSpirv_render_filter;
-    return kSpirv_render_baseline;
+Spirv firstShader(const MarchMethod& method, bool curved) {
+    if (method.marcher == Marcher::Exact)
+        return curved ? Spirv(kSpirv_render_filter_curved) : Spirv(kSpirv_render_filter);
+    return curved ? Spirv(kSpirv_render_baseline_curved) : Spirv(kSpirv_render_baseline);
+}
+
+Spirv fullShader(bool curved) {
+    return curved ? Spirv(kSpirv_render_full_curved) : Spirv(kSpirv_render_full);
 }
 
 }  // namespace
 
 PassPipelines::PassPipelines(gpu::Device& device, const PackedScene& packed, const MarchMethod& method,
                              std::uint32_t mask)
-    : device_(&device), packed_(&packed), method_(method), mask_(mask), first_(make(firstShader(method))) {}
+    : device_(&device),
+      packed_(&packed),
+      method_(method),
+      mask_(mask),
+      first_(make(firstShader(method, packed.curved()))) {}
 
 gpu::ComputePipeline PassPipelines::make(std::span<const std::uint32_t> spirv) const {
     return makeMarchPipeline(*device_, *packed_, spirv, Shader::Render, method_, mask_);
 }
 
 const gpu::ComputePipeline& PassPipelines::full() {
-    if (!full_) full_ = make(kSpirv_render_full);
+    if (!full_) full_ = make(fullShader(packed_->curved()));
     return *full_;
 }
 

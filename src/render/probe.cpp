@@ -4,10 +4,13 @@
 #include "gpu/commands.h"
 #include "render/marchpipeline.h"
 #include "shaders/probe.spv.h"
+#include "shaders/probe_curved.spv.h"
 
 namespace dsphere {
 
 namespace {
+
+using Spirv = std::span<const std::uint32_t>;
 
 layout::vec4 narrow(const dvec3& v, double w) {
     return layout::vec4(glm::vec3(v), float(w));
@@ -32,7 +35,8 @@ layout::ProbeRay narrowRay(const ProbeQuery& query) {
 Probe::Probe(gpu::Device& device, const PackedScene& packed)
     : device_(device),
       device_scene_(device, packed),
-      pipeline_(makeMarchPipeline(device, packed, kSpirv_probe, Shader::Probe, Marcher::Exact, 0)) {}
+      pipeline_(makeMarchPipeline(device, packed, packed.curved() ? Spirv(kSpirv_probe_curved) : Spirv(kSpirv_probe),
+                                  Shader::Probe, Marcher::Exact, 0)) {}
 
 std::vector<layout::ProbeHit> Probe::trace(const std::vector<ProbeQuery>& queries) {
     std::vector<layout::ProbeRay> rays;

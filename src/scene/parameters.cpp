@@ -118,6 +118,22 @@ std::optional<int> Parameters::integer(std::string_view name, int least, int gre
     return value;
 }
 
+std::optional<bool> Parameters::boolean(std::string_view name) {
+    const Parameter* parameter = take(name, {"bool"});
+    if (!parameter) return {};
+    requireCount(*parameter, 1);
+    const Token& value = parameter->values[0];
+    if (value.text != "true" && value.text != "false")
+        failAt(value.where, "parameter {} is {}; supported: true, false", quoted(name), described(value));
+    return value.text == "true";
+}
+
+std::optional<SourceLocation> Parameters::placeOf(std::string_view name) const {
+    auto found = std::find_if(parameters_.begin(), parameters_.end(), [&](auto& p) { return p.name == name; });
+    if (found == parameters_.end()) return {};
+    return found->where;
+}
+
 std::optional<Token> Parameters::string(std::string_view name) {
     const Parameter* parameter = take(name, {"string"});
     if (!parameter) return {};

@@ -54,6 +54,10 @@ class Parameters {
     /// As number(), but nan may be given too.
     std::optional<double> numberOrNan(std::string_view name, const Range& range);
     std::optional<int> integer(std::string_view name, int least, int greatest);
+    /// true or false, as pbrt v4 spells them, or in quotes, as v3 does.
+    std::optional<bool> boolean(std::string_view name);
+    /// Where the parameter of that name stands, if it is given.
+    std::optional<SourceLocation> placeOf(std::string_view name) const;
     std::optional<Token> string(std::string_view name);
     std::optional<std::string> choice(std::string_view name, const Words& supported);
     std::optional<dvec3> rgb(std::string_view name, const Range& range);

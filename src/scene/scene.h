@@ -51,6 +51,16 @@ struct Sampler {
 
 enum class Registration { Texel, Gridline };
 
+/// How heights run between a map's values.
+enum class Filter { Bilinear, BSpline };
+
+/// Heights in closed form instead of a map: h = 0.5 + 0.5 sin(2 pi u_frequency u) sin(pi v_frequency v).
+struct Ripples {
+    int u_frequency = 12, v_frequency = 12;  ///< 1 to 512
+
+    bool operator==(const Ripples&) const = default;
+};
+
 /// The displaced sphere, poles on ±y: r(u, v) = radius + k (h(u, v) - midlevel).
 struct DisplacedSphere {
     double radius = 1.0;            ///< > 0, object units
@@ -64,6 +74,9 @@ struct DisplacedSphere {
     std::optional<double> longitude_origin;  ///< degrees at the image's left edge; unset: the map's own, else -180
     double blur = 0.0;                       ///< sigma of a Gaussian in texels, 0 to 1000; 0: none
     std::optional<double> nodata;            ///< the stored value that means "unknown"; may be NaN
+    Filter filter = Filter::Bilinear;
+    std::optional<Ripples> ripples;  ///< in place of a map
+    bool smooth_normals = false;     ///< shading normals are the B-spline's, whatever the filter
 
     bool operator==(const DisplacedSphere&) const = default;
 };

@@ -15,6 +15,26 @@ std::optional<Registration> registrationOf(Parameters& p) {
     return *word == "texel" ? Registration::Texel : Registration::Gridline;
 }
 
+constexpr int kMostRipples = 512;
+
+// What a closed form replaces or has no use for is an error beside it, and so are its frequencies without it.
+std::optional<Ripples> ripplesOf(Parameters& p) {
+    std::optional<std::string> name = p.choice("displacementfunction", {"ripples"});
+    Ripples ripples;
+    ripples.u_frequency = p.integer("ufrequency", 1, kMostRipples).value_or(ripples.u_frequency);
+    ripples.v_frequency = p.integer("vfrequency", 1, kMostRipples).value_or(ripples.v_frequency);
+    if (!name) {
+        for (const char* frequency : {"ufrequency", "vfrequency"})
+            if (auto where = p.placeOf(frequency))
+                failAt(*where, "{} belongs to a displacementfunction, which is not given", frequency);
+        return {};
+    }
+    for (const char* other : {"displacementmap", "filter", "registration", "blur", "nodata"})
+        if (auto where = p.placeOf(other))
+            failAt(*where, "{} and displacementfunction exclude each other: give one", other);
+    return ripples;
+}
+
 DisplacedSphere displacedSphere(Statement s, Parameters& p) {
     DisplacedSphere sphere;
     sphere.radius = p.number("radius", kPositive).value_or(sphere.radius);
@@ -25,7 +45,9 @@ DisplacedSphere displacedSphere(Statement s, Parameters& p) {
         sphere.map_path = s.source.resolve(path->text);
     }
     sphere.midlevel = p.number("midlevel", kAnyNumber).value_or(sphere.midlevel);
-    p.choice("filter", {"bilinear"});
+    sphere.ripples = ripplesOf(p);
+    if (p.choice("filter", {"bilinear", "bspline"}) == "bspline") sphere.filter = Filter::BSpline;
+    sphere.smooth_normals = p.boolean("smoothnormals").value_or(sphere.smooth_normals);
     sphere.registration = registrationOf(p);
     sphere.longitude_origin = p.number("lonorigin", {-360.0, 360.0});
     sphere.height_min = p.number("heightmin", kAnyNumber);

@@ -1,10 +1,13 @@
 #include "surface/bounds.h"
 
 #include "base/parallel.h"
+#include "surface/ripples.h"
+#include "surface/spline.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 
 namespace dsphere {
 
@@ -83,8 +86,25 @@ Footprint footprint(int face, const Side& a, const Side& b) {
     }
 }
 
-// The greatest scale * stored value over all nodes of the patches that a footprint touches.
-double greatestDisplacement(const NodeGrid& nodes, double scale, const Footprint& box) {
+/// Rows of values at the nodes between which the surface of every cell lies: the nodes' own under bilinear patches, the
+/// extremes of the Bezier points about them under a spline.
+class Hull {
+  public:
+    Hull(const NodeGrid& nodes, const Relief& relief) : nodes_(nodes) {
+        if (relief.filter == Filter::BSpline) extremes_ = SplineNodes(nodes).extremes(relief.scale >= 0.0);
+    }
+
+    const float* row(int j) const {
+        return extremes_.empty() ? nodes_.row(j) : &extremes_[std::size_t(j) * std::size_t(nodes_.width())];
+    }
+
+  private:
+    const NodeGrid& nodes_;
+    std::vector<float> extremes_;
+};
+
+// The greatest scale * value over all nodes of the patches that a footprint touches.
+double greatestDisplacement(const NodeGrid& nodes, const Hull& hull, double scale, const Footprint& box) {
     int width = nodes.width();
     int first = int(std::floor(nodes.column(box.longitude.low)));
     int count = std::min(int(std::floor(nodes.column(box.longitude.high))) + 1 - first + 1, width);
@@ -92,7 +112,7 @@ double greatestDisplacement(const NodeGrid& nodes, double scale, const Footprint
     int top = std::clamp(int(std::floor(nodes.nodeRow(box.colatitude.low))), 0, nodes.rows() - 1);
     int bottom = std::clamp(int(std::floor(nodes.nodeRow(box.colatitude.high))), 0, nodes.rows() - 1) + 1;
     int before_seam = std::min(count, width - first);
-    float least = nodes.row(top)[first], greatest = least;
+    float least = hull.row(top)[first], greatest = least;
     auto scan = [&](const float* values, int n) {
         for (int k = 0; k < n; ++k) {
             least = std::min(least, values[k]);
@@ -100,19 +120,22 @@ double greatestDisplacement(const NodeGrid& nodes, double scale, const Footprint
         }
     };
     for (int j = top; j <= bottom; ++j) {
-        const float* row = nodes.row(j);
+        const float* row = hull.row(j);
         scan(row + first, before_seam);
         scan(row, count - before_seam);
     }
     return std::max(scale * least, scale * greatest);
 }
 
-void fillFinestRow(Bounds& bounds, const NodeGrid& nodes, const Relief& relief, const std::vector<Side>& sides,
+/// The greatest stored value (times scale) over the cell of a cube face, dilated.
+using Greatest = std::function<double(const Footprint&)>;
+
+void fillFinestRow(Bounds& bounds, const Relief& relief, const Greatest& greatest, const std::vector<Side>& sides,
                    int face, int j) {
     const Side& b = sides[std::size_t(j)];
     for (int i = 0; i < bounds.side; ++i) {
         const Side& a = sides[std::size_t(i)];
-        double radius = relief.base + greatestDisplacement(nodes, relief.scale, footprint(face, a, b));
+        double radius = relief.base + greatest(footprint(face, a, b));
         double bound = radius / relief.greatest_radius + Bounds::kSlack;
         bounds.squared[bounds.index(face, 0, i, j)] =
             std::nextafter(float(bound * bound), std::numeric_limits<float>::infinity());
@@ -150,9 +173,17 @@ Bounds buildBounds(const NodeGrid& nodes, const Relief& relief) {
     bounds.side = boundsSide(nodes.width());
     bounds.levels = std::bit_width(unsigned(bounds.side));
     bounds.squared.assign(std::size_t(bounds.side) * std::size_t(bounds.imageHeight()), 0.0f);
+    const Hull hull(nodes, relief);
+    Greatest greatest = [&](const Footprint& box) { return greatestDisplacement(nodes, hull, relief.scale, box); };
+    if (nodes.map().ripples)
+        greatest = [&](const Footprint& box) {
+            Interval h = rippleRange(nodes.map(), {box.longitude.low, box.longitude.high},
+                                     {box.colatitude.low, box.colatitude.high});
+            return std::max(relief.scale * h.low, relief.scale * h.high);
+        };
     const std::vector<Side> sides = sidesOf(bounds.side);
     parallelFor(std::size_t(6 * bounds.side), [&](std::size_t task) {
-        fillFinestRow(bounds, nodes, relief, sides, int(task) / bounds.side, int(task) % bounds.side);
+        fillFinestRow(bounds, relief, greatest, sides, int(task) / bounds.side, int(task) % bounds.side);
     });
     parallelFor(6, [&](std::size_t face) { fillCoarser(bounds, int(face)); });
     return bounds;

@@ -10,8 +10,9 @@ namespace dsphere {
 /// along axis k; its gnomonic coordinates a, b in [-1, 1] lie along axes k + 1 and k + 2 (cyclic). Level 0 is the
 /// finest, the last has one cell a face.
 ///
-/// Every bound covers all nodes of the patches that the cell touches, the cell dilated by kDilation, and lies kSlack
-/// above the true maximum, so that the marcher's float rounding never skips a cell or a hit in it.
+/// Every bound covers all nodes of the patches that the cell touches, the cell dilated by kDilation (of a spline: the
+/// Bezier points about them; of ripples: the closed form over the cell's box of longitude and latitude), and lies
+/// kSlack above that maximum, so that the marcher's float rounding never skips a cell or a hit in it.
 struct Bounds {
     static constexpr double kDilation = 4e-6;  ///< in face coordinates
     static constexpr double kSlack = 6e-7;     ///< in units of R

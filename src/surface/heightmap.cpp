@@ -45,6 +45,11 @@ std::string describeTexel(const Heightmap& map, std::size_t index) {
 
 /// Throws, naming the texel of the stored value whose radius is not a positive number.
 [[noreturn]] void refuseRadius(const Heightmap& map, float stored, double radius, const SourceLocation& where) {
+    if (map.ripples)
+        throwInvalid(
+            "{}: the displaced radius is {} where the ripples are {}, expected it to be positive and finite "
+            "everywhere (lower maxdispl, or change midlevel or heightmin and heightmax)",
+            where.text(), radius, stored);
     const auto found = std::ranges::find(map.samples, stored);
     throwInvalid(
         "{}: the displaced radius is {} at {}, where the map holds {}; expected it to be positive and finite at every "
@@ -82,6 +87,11 @@ Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape) {
     const auto [least, greatest] = std::ranges::minmax(map.samples);
     map.least = least;
     map.greatest = greatest;
+    if (shape.ripples) {
+        map.ripples = shape.ripples;
+        map.least = 0.0f;
+        map.greatest = 1.0f;
+    }
     return map;
 }
 
@@ -93,7 +103,7 @@ Heightmap loadHeightmap(const DisplacedSphere& shape) {
     RawMap flat;
     flat.width = flat.height = 1;
     flat.samples = {0.0f};
-    flat.type = "no map";
+    flat.type = shape.ripples ? "ripples" : "no map";
     return makeHeightmap(std::move(flat), smooth);
 }
 
@@ -103,6 +113,8 @@ Relief makeRelief(const DisplacedSphere& shape, const Heightmap& map, const Sour
     const double height_min = shape.height_min.value_or(shape.own_range ? double(map.least) : 0.0);
     const double height_max = shape.height_max.value_or(shape.own_range ? own_top : map.full_scale);
     Relief relief;
+    relief.filter = shape.filter;
+    relief.smooth_normals = shape.smooth_normals && !shape.ripples && shape.filter == Filter::Bilinear;
     relief.h_scale = 1.0 / (height_max - height_min);
     relief.h_offset = -height_min * relief.h_scale;
     if (!std::isfinite(relief.h_scale) || !std::isfinite(relief.h_offset))

@@ -22,6 +22,7 @@ struct Heightmap {
     float least = 0.0f, greatest = 0.0f;  ///< of all samples
     std::size_t nodata_count = 0;         ///< texels that held the shape's nodata value, before they were filled
     std::string path, type;
+    std::optional<Ripples> ripples;  ///< the closed form that takes the samples' place, 0 to 1
 
     float at(int i, int j) const { return samples[std::size_t(j) * std::size_t(width) + std::size_t(i)]; }
 };
@@ -41,6 +42,8 @@ struct Relief {
     double scale = 0.0;                                ///< object units per stored unit; may be negative
     double least_radius = 1.0, greatest_radius = 1.0;  ///< over all nodes, object units
     double h_scale = 1.0, h_offset = 0.0;              ///< h = h_offset + h_scale * stored
+    Filter filter = Filter::Bilinear;                  ///< how stored values run between the map's
+    bool smooth_normals = false;                       ///< shading normals are the B-spline's, unlike the filter
 };
 
 /// Combines shape and map. Throws Error (InvalidInput), prefixed by `where`, when heightmin = heightmax or when r <= 0

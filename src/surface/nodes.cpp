@@ -8,6 +8,8 @@ namespace dsphere {
 
 namespace {
 
+constexpr int kRippleWidth = 1024, kRippleRows = 512, kCellsPerRipple = 32;
+
 int evenFactor(int least, int count) {
     int factor = (least + count - 1) / count;
     return std::max(2, factor + factor % 2);
@@ -16,10 +18,15 @@ int evenFactor(int least, int count) {
 }  // namespace
 
 NodeGrid::NodeGrid(const Heightmap& map) : map_(map) {
+    if (map.ripples) {
+        spanRipples();
+        return;
+    }
     bool texel = map.registration == Registration::Texel;
     width_ = map.width;
     rows_ = texel ? map.height + 1 : map.height - 1;
     half_caps_ = texel;
+    cap_rows_ = texel ? 1 : 0;
     first_node_ = texel ? 0.5 : 0.0;
     assert(rows_ >= 1);
     if (width_ < kLeastWidth || map.height < kLeastRows) {
@@ -28,6 +35,11 @@ NodeGrid::NodeGrid(const Heightmap& map) : map_(map) {
     }
     north_.assign(std::size_t(width_), map.north_pole);
     south_.assign(std::size_t(width_), map.south_pole);
+}
+
+void NodeGrid::spanRipples() {
+    width_ = std::max(kRippleWidth, kCellsPerRipple * map_.ripples->u_frequency);
+    rows_ = std::max(kRippleRows, kCellsPerRipple / 2 * map_.ripples->v_frequency);
 }
 
 // Even factors put the half-texel offset of texel registration, and its half-high caps, onto whole fine nodes.
@@ -67,11 +79,24 @@ void NodeGrid::subdivide() {
     width_ = fine_width;
     rows_ = fine_rows;
     half_caps_ = false;
+    cap_rows_ = texel ? down / 2 : 0;
     first_node_ = 0.0;
 }
 
+double NodeGrid::mapColumn(int i) const {
+    bool texel = map_.registration == Registration::Texel;
+    return (i + first_node_) * map_.width / width_ - (texel ? 0.5 : 0.0);
+}
+
+double NodeGrid::mapRow(int j) const {
+    if (map_.registration == Registration::Gridline) return double(j) * (map_.height - 1) / rows_;
+    if (!half_caps_) return double(j) * map_.height / rows_ - 0.5;
+    if (j == 0) return -0.5;
+    return j == rows_ ? map_.height - 0.5 : j - 1.0;
+}
+
 const float* NodeGrid::row(int j) const {
-    assert(j >= 0 && j <= rows_);
+    assert(j >= 0 && j <= rows_ && !map_.ripples);
     if (!fine_.empty()) return &fine_[std::size_t(j) * std::size_t(width_)];
     if (half_caps_) {
         if (j == 0) return north_.data();

@@ -8,7 +8,7 @@ namespace dsphere {
 
 /// The map as the marcher sees it: node rows from pole to pole, wrapping columns, every cell at most 2 pi / 512 wide
 /// and pi / 256 high. A coarser map is subdivided, which leaves its bilinear surface as it is; a finer one is not
-/// copied.
+/// copied. Ripples have cells alone, of a 32nd of a period at most.
 class NodeGrid {
   public:
     static constexpr int kLeastWidth = 512, kLeastRows = 256;  ///< a grid with fewer is subdivided
@@ -21,7 +21,13 @@ class NodeGrid {
     int rows() const { return rows_; }  ///< rows of cells; there are rows() + 1 rows of nodes
     /// True: the first and last rows are half as high as the others (the polar caps of texel registration).
     bool halfCaps() const { return half_caps_; }
-    /// `width()` stored values; row 0 is the north pole's, row rows() the south pole's.
+    /// Rows of cells in each polar cap, where heights run linearly in latitude whatever the filter.
+    int capRows() const { return cap_rows_; }
+    /// Where a node stands in the map's own rows and columns, whose values are at whole numbers; rows below 0 and above
+    /// height - 1 lie in the caps (the pole at -0.5 and height - 0.5).
+    double mapColumn(int i) const;
+    double mapRow(int j) const;
+    /// `width()` stored values; row 0 is the north pole's, row rows() the south pole's. None for ripples.
     const float* row(int j) const;
 
     double cellWidth() const;                 ///< radians of longitude
@@ -33,9 +39,10 @@ class NodeGrid {
 
   private:
     void subdivide();
+    void spanRipples();
 
     const Heightmap& map_;
-    int width_ = 0, rows_ = 0;
+    int width_ = 0, rows_ = 0, cap_rows_ = 0;
     bool half_caps_ = false;
     double first_node_ = 0.0;  ///< longitude of column 0 in cells
     std::vector<float> north_, south_;

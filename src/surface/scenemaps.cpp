@@ -16,7 +16,7 @@ bool sameValue(const std::optional<double>& a, const std::optional<double>& b) {
 
 bool sameMap(const DisplacedSphere& a, const DisplacedSphere& b) {
     return a.map_path == b.map_path && a.registration == b.registration && a.longitude_origin == b.longitude_origin &&
-           a.blur == b.blur && sameValue(a.nodata, b.nodata);
+           a.blur == b.blur && a.ripples == b.ripples && sameValue(a.nodata, b.nodata);
 }
 
 /// What `load` makes, its error prefixed by the place.

@@ -167,8 +167,14 @@ void Comparison::checkSurface(Report& report, const WorldRay& ray, const Answer&
     dvec3 n = transformNormal(tracer_.objectFromWorld(answer.shape), objectNormal(answer.shape, p));
     bool disk = std::holds_alternative<Disk>(scene_.shapes[std::size_t(answer.shape)].geometry);
     if (disk && glm::dot(n, ray.direction) > 0.0) n = -n;
-    double angle = std::atan2(glm::length(glm::cross(n, answer.normal)), glm::dot(n, answer.normal));
-    report.normal_degrees.push_back(float(angle * 180.0 / kPi));
+    auto angleTo = [&](const dvec3& found) {
+        return float(glm::degrees(std::atan2(glm::length(glm::cross(n, found)), glm::dot(n, found))));
+    };
+    report.normal_degrees.push_back(angleTo(answer.normal));
+    const reference::Surface* surface = tracer_.surface(answer.shape);
+    if (!surface || !surface->relief().smooth_normals || answer.smooth_normal == dvec3(0.0)) return;
+    n = transformNormal(tracer_.objectFromWorld(answer.shape), surface->shadingNormal(p));
+    report.normal_degrees.push_back(angleTo(answer.smooth_normal));
 }
 
 bool Comparison::tangentShadow(const Answer& answer, const LightAnswer& light, const WorldRay& shadow, double t_max,
@@ -225,7 +231,8 @@ dvec3 Comparison::reflectanceSpread(const Answer& answer) const {
 // shrink towards the terminator.
 void Comparison::checkColour(Report& report, std::uint64_t index, const Answer& answer,
                              const LightAnswer& light) const {
-    dvec3 colour = tracer_.shadeAt(answer.shape, answer.object_position, light.position, answer.normal, light.lit);
+    dvec3 colour = tracer_.shadeAt(answer.shape, answer.object_position, light.position,
+                                   {answer.normal, answer.smooth_normal}, light.lit);
     dvec3 full(0.0);
     for (const Light& source : scene_.lights) {
         dvec3 towards = reference::lightRay(source, light.position).direction;

@@ -12,7 +12,8 @@ struct Answer {
     int shape = -1;
     double t = 0.0;  ///< along the unit world direction
     dvec3 object_position{0.0};
-    dvec3 normal{0.0};  ///< world
+    dvec3 normal{0.0};         ///< world
+    dvec3 smooth_normal{0.0};  ///< the shading normal; 0 if it was not asked for
 };
 
 /// What the device says of the light at a hit.

@@ -23,7 +23,7 @@ constexpr std::size_t kChunk = 512;  // pixels a task
 struct Channels {
     using Floats = const std::vector<float>*;
     using Uints = const std::vector<std::uint32_t>*;
-    Floats t, object[3], start[3], position[3], normal[3], colour[3];
+    Floats t, object[3], start[3], position[3], normal[3], smooth_normal[3], colour[3];
     Uints id, lit, flags;
 
     explicit Channels(const Image& image) {
@@ -38,6 +38,7 @@ struct Channels {
         triple(start, "start.X", "start.Y", "start.Z");
         triple(position, "P.X", "P.Y", "P.Z");
         triple(normal, "N.X", "N.Y", "N.Z");
+        triple(smooth_normal, "Ns.X", "Ns.Y", "Ns.Z");
         triple(colour, "R", "G", "B");
         id = &image.at("id").uints();
         lit = &image.at("lit").uints();
@@ -95,6 +96,7 @@ void comparePixel(Report& report, const Comparison& comparison, const Scene& sce
         answer.t = (*channels.t)[i];
         answer.object_position = Channels::at(channels.object, i) * comparison.unit(answer.shape);
         answer.normal = Channels::at(channels.normal, i);
+        answer.smooth_normal = Channels::at(channels.smooth_normal, i);
     }
     comparison.checkHit(report, i, pixelRay(scene, image.data, i), answer);
     if (!answer.hit || answer.inside) return;
@@ -164,7 +166,7 @@ Image referenceImage(const Scene& scene, const SceneMaps& maps, const Progress& 
             if (facing && !tracer.occluded(world_start, towards.direction, towards.t_max, hit.shape, start))
                 lit |= 1u << k;
         }
-        dvec3 colour = tracer.shade(hit.shape, hit.object_position, hit.shading_normal, lit);
+        dvec3 colour = tracer.shade(hit.shape, hit.object_position, {hit.shading_normal, hit.smooth_normal}, lit);
         for (int c = 0; c < 3; ++c) image.channels[std::size_t(c)].floats()[i] = float(colour[c]);
         image.channels[4].uints()[i] = std::uint32_t(hit.shape + 1);
         image.channels[5].uints()[i] = lit;

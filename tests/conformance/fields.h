@@ -29,7 +29,7 @@
     I(bounds_side)                                                                                                     \
     I(start_side) I(edges_y) I(caps) F(columns_per_turn) F(first_column) F(cells_per_radian_u) F(cells_per_radian_v)   \
         F(cap_shift) F(tan_width) F(tan_height) F(sin_width) F(versin_width) F(sin_height) F(versin_height) F(sin_cap) \
-            F(versin_cap) F(least_pixel) F(pad0) F(pad1) F(pad2)
+            F(versin_cap) F(least_pixel) I(surface) I(cap_rows) I(nodes_y) I(nodes_layer) I(smooth_normals) F(phase_u) F(phase_v)
 
 #define PROBE_RAY_FIELDS(V, U) V(point) V(point_lo) V(direction) V(direction_lo) U(flags) U(pad0) U(pad1) U(pad2)
 

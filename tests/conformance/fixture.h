@@ -9,7 +9,7 @@
 namespace dsphere::conformance {
 
 /// The least number of rays that a case traces.
-inline constexpr std::uint64_t kLeastRays = 20000;
+inline const std::uint64_t kLeastRays = std::uint64_t(kRays) * 5 / 6;
 
 /// The machine's CPU device under validation, one a program, with a pipeline cache of its own.
 gpu::Device& device();

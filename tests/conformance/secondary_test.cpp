@@ -31,7 +31,7 @@ class Secondary : public Conformance, public testing::WithParamInterface<Seconda
     Queries starts() {
         Queries queries;
         for (const layout::ProbeHit& hit : probe_.trace(randomRays(3 * kRays, 3.0, 0.9, 42))) {
-            if (hit.flags != 1u || queries.size() == kRays) continue;
+            if (hit.flags != 1u || int(queries.size()) == kRays) continue;
             dvec3 start(glm::vec3(dvec3(hit.position) + 1e-6 * dvec3(hit.normal)));
             queries.push_back({.origin = start, .direction = randomUnit(random_), .secondary = true});
         }

@@ -3,8 +3,26 @@
 #include "scene/transforms.h"
 
 #include <cmath>
+#include <cstdlib>
+#include <string_view>
 
 namespace dsphere::conformance {
+
+namespace {
+
+DisplacedSphere asTested(DisplacedSphere sphere) {
+    if (testSurface() == TestSurface::BSpline) sphere.filter = Filter::BSpline;
+    if (testSurface() == TestSurface::Ripples) sphere.ripples = Ripples{};
+    return sphere;
+}
+
+}  // namespace
+
+TestSurface testSurface() {
+    const char* name = std::getenv("DSPHERE_TEST_SURFACE");
+    if (!name) return TestSurface::AsGiven;
+    return std::string_view(name) == "bspline" ? TestSurface::BSpline : TestSurface::Ripples;
+}
 
 World::World() {
     scene.name = "conformance";
@@ -13,14 +31,14 @@ World::World() {
 }
 
 int World::addMap(RawMap raw, const DisplacedSphere& sphere) {
-    maps.maps.push_back(std::make_unique<Heightmap>(makeHeightmap(std::move(raw), sphere)));
+    maps.maps.push_back(std::make_unique<Heightmap>(makeHeightmap(std::move(raw), asTested(sphere))));
     return int(maps.maps.size()) - 1;
 }
 
 void World::addSphere(const DisplacedSphere& sphere, int map, const dmat4& world_from_object) {
-    scene.shapes.push_back({sphere, world_from_object, {HeightRamp{"viridis"}}, {scene.name}});
+    scene.shapes.push_back({asTested(sphere), world_from_object, {HeightRamp{"viridis"}}, {scene.name}});
     maps.map_of_shape.push_back(map);
-    maps.reliefs.push_back(makeRelief(sphere, *maps.maps[std::size_t(map)], {scene.name}));
+    maps.reliefs.push_back(makeRelief(asTested(sphere), *maps.maps[std::size_t(map)], {scene.name}));
 }
 
 void World::addPlain(const std::variant<DisplacedSphere, Sphere, Disk>& geometry, const dmat4& world_from_object) {

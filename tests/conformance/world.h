@@ -6,6 +6,11 @@
 
 namespace dsphere::conformance {
 
+/// What the environment's DSPHERE_TEST_SURFACE makes of every displaced sphere: "bspline" or "ripples" (in place of its
+/// map) run all cases for that surface; unset: as the case says.
+enum class TestSurface { AsGiven, BSpline, Ripples };
+TestSurface testSurface();
+
 /// Movable, not copyable. Shapes refer to `maps.maps` by index.
 struct World {
     Scene scene;  ///< film 200x150

@@ -15,10 +15,39 @@ long double Oracle::node(int i, int j) const {
     return map_->at(((i % map_->width) + map_->width) % map_->width, j);
 }
 
+// The cubic B-spline by its truncated powers, over every control point that can reach the place.
+long double Oracle::spline(long double column, long double row) const {
+    const auto bump = [](long double x) {
+        const auto cube = [](long double t) { return t > 0 ? t * t * t : 0.0L; };
+        return (cube(x + 2) - 4 * cube(x + 1) + 6 * cube(x) - 4 * cube(x - 1) + cube(x - 2)) / 6;
+    };
+    const int last = map_->height - 1, i0 = int(std::floor(column)), j0 = int(std::floor(row));
+    long double sum = 0;
+    for (int j = j0 - 2; j <= j0 + 3; ++j)
+        for (int i = i0 - 2; i <= i0 + 3; ++i) {
+            const int column_of = ((i % map_->width) + map_->width) % map_->width;
+            long double control = map_->at(column_of, std::clamp(j, 0, last));
+            if (map_->registration == Registration::Gridline && (j < 0 || j > last)) {
+                const int mirrored = std::clamp(j < 0 ? -j : 2 * last - j, 0, last);
+                control = 2.0L * (j < 0 ? map_->north_pole : map_->south_pole) - map_->at(column_of, mirrored);
+            }
+            sum += bump(column - i) * bump(row - j) * control;
+        }
+    return sum;
+}
+
 long double Oracle::f(long double x, long double y, long double z) const {
     const long double pi = std::numbers::pi_v<long double>, rho = std::sqrt(x * x + y * y + z * z);
     const long double u = 0.5L + std::atan2(x, z) / (2 * pi) - (map_->longitude_origin + 180.0L) / 360.0L;
     const long double v = std::atan2(std::hypot(x, z), y) / pi;
+    return rho - (relief_.base + relief_.scale * stored(u, v));
+}
+
+long double Oracle::stored(long double u, long double v) const {
+    const long double pi = std::numbers::pi_v<long double>;
+    if (map_->ripples)
+        return 0.5L +
+               0.5L * std::sin(2 * pi * map_->ripples->u_frequency * u) * std::sin(pi * map_->ripples->v_frequency * v);
     const int height = map_->height;
     long double column = u * map_->width, row, share;
     int j;
@@ -32,11 +61,17 @@ long double Oracle::f(long double x, long double y, long double z) const {
         j = std::clamp(int(std::floor(row)), 0, height - 2);
         share = row - j;
     }
+    if (relief_.filter == Filter::BSpline) {
+        if (map_->registration == Registration::Gridline) return spline(column, row);
+        if (j == -1) return map_->north_pole + share * (spline(column, 0) - map_->north_pole);
+        if (j == height - 1) return map_->south_pole + (1 - share) * (spline(column, height - 1) - map_->south_pole);
+        return spline(column, row);
+    }
     const int i = int(std::floor(column));
     const long double a = column - i;
     const long double north = node(i, j) * (1 - a) + node(i + 1, j) * a;
     const long double south = node(i, j + 1) * (1 - a) + node(i + 1, j + 1) * a;
-    return rho - (relief_.base + relief_.scale * (north * (1 - share) + south * share));
+    return north * (1 - share) + south * share;
 }
 
 long double Oracle::f(const Ray& ray, long double t) const {

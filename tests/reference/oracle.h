@@ -28,6 +28,8 @@ class Oracle {
 
   private:
     long double node(int i, int j) const;
+    long double spline(long double column, long double row) const;
+    long double stored(long double u, long double v) const;
 
     const Heightmap* map_;
     Relief relief_;

@@ -169,6 +169,21 @@ TEST(Directives, DisplacedSphere) {
     EXPECT_EQ(sphere, expected);
 }
 
+TEST(Directives, SmoothDisplacedSpheres) {
+    auto read = [](const char* parameters) {
+        return onlyGeometry<DisplacedSphere>(std::string("Shape \"displacedsphere\" ") + parameters);
+    };
+    EXPECT_EQ(read("\"string filter\" \"bspline\"").filter, Filter::BSpline);
+    EXPECT_EQ(read("\"string displacementfunction\" \"ripples\"").ripples, (Ripples{12, 12}));
+    EXPECT_EQ(
+        read("\"integer vfrequency\" 512 \"string displacementfunction\" \"ripples\" \"integer ufrequency\" 1").ripples,
+        (Ripples{1, 512}));
+    EXPECT_FALSE(read("").ripples);
+    for (const char* spelling : {"true", "\"true\"", "[true]"})
+        EXPECT_TRUE(read((std::string("\"bool smoothnormals\" ") + spelling).c_str()).smooth_normals) << spelling;
+    EXPECT_FALSE(read("\"bool smoothnormals\" false").smooth_normals);
+}
+
 TEST(Directives, DisplacedSphereInTrueScale) {
     auto sphere = onlyGeometry<DisplacedSphere>(R"(Shape "displacedsphere" "float radius" 6371000
         "string displacementmap" "/maps/geoid.gtx" "string registration" "gridline" "float heightscale" 1e4)");

@@ -1,0 +1,216 @@
+// Displaced spheres whose heights are not bilinear: a bicubic spline, or ripples in closed form; and bilinear ones that
+// share a scene with them. Takes the place of surface.glsl's bilinear patch in the variants WITH_CURVED. Expects
+// surface.glsl, kSurfaces (a bit per SURFACE_ of the scene: the others are compiled away) and the resource function
+// nodeAt(map, column, row).
+
+// r - base over one cell. A polynomial: coefficients of u^0 to u^3 in the components of c0 to c3, which go with v^0 to
+// v^3. Ripples: half (1 + sin(phase_u + u d_u) sin(phase_v + v d_v)), c0 the sines and cosines of both phases at the
+// north-west corner, c1 d_u, d_v and half.
+struct Patch {
+    vec4 c0, c1, c2, c3;
+    bool ripples;
+};
+
+bool sceneHasSurface(int surface) {
+    return (kSurfaces & (1 << surface)) != 0;
+}
+
+// Whether all of the scene's displaced spheres have that surface: then no test is left, nor the code of the others.
+bool sceneHasOnly(int surface) {
+    return (kSurfaces & ~(1 << SURFACE_SMOOTH_NORMALS)) == 1 << surface;
+}
+
+bool hasSurface(MapData map, int surface) {
+    return sceneHasOnly(surface) || (sceneHasSurface(surface) && map.surface == surface);
+}
+
+bool isRippled(Patch quad) {
+    return sceneHasOnly(SURFACE_RIPPLES) || (sceneHasSurface(SURFACE_RIPPLES) && quad.ripples);
+}
+
+Patch flatPatch() {
+    Patch quad;
+    quad.c0 = vec4(real(0));
+    quad.c1 = vec4(real(0));
+    quad.c2 = vec4(real(0));
+    quad.c3 = vec4(real(0));
+    quad.ripples = false;
+    return quad;
+}
+
+// The cubic with that value at 0, that rise to 1, and those slopes at 0 and 1 (Hermite).
+vec4 cubicOf(real start, real rise, real slope_0, real slope_1) {
+    return vec4(start, slope_0, real(3) * rise - (slope_0 + slope_0 + slope_1), slope_0 + slope_1 - (rise + rise));
+}
+
+// Of the cell's corners: value, slope eastward, slope southward, twist. Linear in v within a cap.
+Patch splinePatch(MapData map, real scale, ivec2 cell) {
+    int next = cell.x + 1 == map.width ? 0 : cell.x + 1;
+    vec4 nw = nodeAt(map, cell.x, cell.y);
+    vec4 ne = nodeAt(map, next, cell.y);
+    vec4 sw = nodeAt(map, cell.x, cell.y + 1);
+    vec4 se = nodeAt(map, next, cell.y + 1);
+    real north = ne.x - nw.x;
+    vec4 down = cubicOf(sw.x - nw.x, (se.x - sw.x) - north, sw.y - nw.y, se.y - ne.y);
+    bool in_cap = cell.y < map.cap_rows || cell.y >= map.rows - map.cap_rows;
+    vec4 down_0 = in_cap ? down : cubicOf(nw.z, ne.z - nw.z, nw.w, ne.w);
+    vec4 down_1 = in_cap ? down : cubicOf(sw.z, se.z - sw.z, sw.w, se.w);
+    Patch quad;
+    quad.c0 = scale * cubicOf(nw.x, north, nw.y, ne.y);
+    quad.c1 = scale * down_0;
+    quad.c2 = in_cap ? vec4(real(0)) : scale * (real(3) * down - (down_0 + down_0 + down_1));
+    quad.c3 = in_cap ? vec4(real(0)) : scale * (down_0 + down_1 - (down + down));
+    quad.ripples = false;
+    return quad;
+}
+
+Patch bilinearPatch(MapData map, real scale, ivec2 cell) {
+    int next = cell.x + 1 == map.width ? 0 : cell.x + 1;
+    real nw = scale * heightAt(map, cell.x, cell.y);
+    real ne = scale * heightAt(map, next, cell.y);
+    real sw = scale * heightAt(map, cell.x, cell.y + 1);
+    real se = scale * heightAt(map, next, cell.y + 1);
+    Patch quad = flatPatch();
+    quad.c0 = vec4(nw, ne - nw, real(0), real(0));
+    quad.c1 = vec4(sw - nw, (se - sw) - (ne - nw), real(0), real(0));
+    return quad;
+}
+
+// The arguments of the sines at the edges lie in the two rows below the edges'.
+Patch ripplePatch(MapData map, real scale, ivec2 cell) {
+    vec4 west = edgesAt(cell.x, map.edges_y + 2);
+    vec4 north = edgesAt(cell.y, map.edges_y + 3);
+    Patch quad = flatPatch();
+    quad.c0 = vec4(west.x, west.y, north.x, north.y);
+    quad.c1 = vec4(real(map.phase_u), real(map.phase_v), real(0.5) * scale, real(0));
+    quad.ripples = true;
+    return quad;
+}
+
+Patch fetchPatch(MapData map, real scale, ivec2 cell) {
+    Patch quad;
+    if (hasSurface(map, SURFACE_BILINEAR)) quad = bilinearPatch(map, scale, cell);
+    if (hasSurface(map, SURFACE_SPLINE)) quad = splinePatch(map, scale, cell);
+    if (hasSurface(map, SURFACE_RIPPLES)) quad = ripplePatch(map, scale, cell);
+    return quad;
+}
+
+// Sine and cosine of an angle whose own are `at`, plus a small one: |x| <= 0.2.
+vec2 sineBeyond(vec2 at, real x) {
+    real square = x * x;
+    real sine = x * (real(1) - square * (real(1.0 / 6.0) - square * real(1.0 / 120.0)));
+    real versine = square * (real(0.5) - square * (real(1.0 / 24.0) - square * real(1.0 / 720.0)));
+    return vec2(at.x + (at.y * sine - at.x * versine), at.y - (at.x * sine + at.y * versine));
+}
+
+vec2 rippleSineU(Patch quad, real fu) {
+    return sineBeyond(vec2(quad.c0.x, quad.c0.y), fu * quad.c1.x);
+}
+
+vec2 rippleSineV(Patch quad, real fv) {
+    return sineBeyond(vec2(quad.c0.z, quad.c0.w), fv * quad.c1.y);
+}
+
+// The polynomial's coefficients in u on a parallel, and their slopes along v.
+vec4 acrossAt(Patch quad, real fv) {
+    return quad.c0 + fv * (quad.c1 + fv * (quad.c2 + fv * quad.c3));
+}
+
+vec4 acrossSlopesAt(Patch quad, real fv) {
+    return quad.c1 + fv * (real(2) * quad.c2 + (real(3) * fv) * quad.c3);
+}
+
+real cubicValue(vec4 c, real x) {
+    return c.x + x * (c.y + x * (c.z + x * c.w));
+}
+
+real cubicSlope(vec4 c, real x) {
+    return c.y + x * (real(2) * c.z + (real(3) * x) * c.w);
+}
+
+real patchValue(Patch quad, real fu, real fv) {
+    if (isRippled(quad)) return quad.c1.z * (real(1) + rippleSineU(quad, fu).x * rippleSineV(quad, fv).x);
+    return cubicValue(acrossAt(quad, fv), fu);
+}
+
+// dr/du and dr/dv, per cell.
+vec2 patchSlopes(Patch quad, real fu, real fv) {
+    if (isRippled(quad)) {
+        vec2 u = rippleSineU(quad, fu);
+        vec2 v = rippleSineV(quad, fv);
+        return quad.c1.z * vec2(quad.c1.x * u.y * v.x, quad.c1.y * u.x * v.y);
+    }
+    return vec2(cubicSlope(acrossAt(quad, fv), fu), cubicValue(acrossSlopesAt(quad, fv), fu));
+}
+
+// dr/du over the share of the way from the pole to the cell's other edge, in a row that touches a pole, where both are 0
+// together: the polynomial divided by v, or by 1 - v; of ripples the sine over its argument.
+real poleSlopeEast(Patch quad, real fu, real fv, bool north) {
+    real from_pole = north ? fv : real(1) - fv;
+    if (isRippled(quad)) {
+        real x = quad.c1.y * from_pole;
+        real square = x * x;
+        real sinc = real(1) - square * (real(1.0 / 6.0) - square * real(1.0 / 120.0));
+        real sign = north || quad.c0.z >= real(0) ? real(1) : real(-1);
+        return quad.c1.z * quad.c1.x * rippleSineU(quad, fu).y * sign * quad.c1.y * sinc;
+    }
+    real q1 = cubicSlope(quad.c1, fu);
+    real q2 = cubicSlope(quad.c2, fu);
+    real q3 = cubicSlope(quad.c3, fu);
+    return north ? q1 + fv * (q2 + fv * q3) : -((q1 + q2 + q3) + fv * ((q2 + q3) + fv * q3));
+}
+
+// Gradient of f = |p| - r(p/|p|); in the rows that touch a pole the distance to the axis cancels.
+vec3 patchGradient(MapData map, Patch quad, PatchPoint at, int row, vec3 p) {
+    real radius = max(length(p), kTiny);
+    real rho = sqrt(p.x * p.x + p.z * p.z);
+    real per_radian = cellsPerRadianV(map, row);
+    vec2 slopes = patchSlopes(quad, at.fu, at.fv);
+    real east_over_rho = slopes.x / max(rho, real(1e-20));
+    if (isPoleRow(map, row))
+        east_over_rho = poleSlopeEast(quad, at.fu, at.fv, row == 0) * per_radian * angleOverRho(p, rho);
+    return gradientOf(p, rho, radius, east_over_rho * real(map.cells_per_radian_u), slopes.y * per_radian / radius);
+}
+
+// Bounds of the second and third derivatives over the whole cell.
+struct Bends {
+    vec3 second;  // uu, uv, vv
+    vec4 third;   // uuu, uuv, uvv, vvv
+};
+
+Bends patchBends(Patch quad) {
+    Bends bends;
+    if (isRippled(quad)) {
+        real u = quad.c1.x;
+        real v = quad.c1.y;
+        real half_scale = abs(quad.c1.z);
+        bends.second = half_scale * vec3(u * u, u * v, v * v);
+        bends.third = half_scale * vec4(u * u * u, u * u * v, u * v * v, v * v * v);
+        return bends;
+    }
+    vec4 a1 = abs(quad.c1);
+    vec4 a2 = abs(quad.c2);
+    vec4 a3 = abs(quad.c3);
+    vec4 value = abs(quad.c0) + a1 + a2 + a3;
+    vec4 slope = a1 + real(2) * a2 + real(3) * a3;
+    vec4 bend = real(2) * a2 + real(6) * a3;
+    bends.second = vec3(real(2) * value.z + real(6) * value.w, slope.y + real(2) * slope.z + real(3) * slope.w,
+                        bend.x + bend.y + bend.z + bend.w);
+    bends.third = vec4(real(6) * value.w, real(2) * slope.z + real(6) * slope.w,
+                       bend.y + real(2) * bend.z + real(3) * bend.w, real(6) * (a3.x + a3.y + a3.z + a3.w));
+    return bends;
+}
+
+// A bound of d3 r / dy3 along a chord on which u and v are parabolas of y in [0, 1], by the chain rule. `rate`: at its
+// start; `bend`: half of the second derivative.
+real chordTwist(Bends bends, vec2 rate, vec2 bend) {
+    vec2 grown = rate + real(2) * bend;
+    real u = max(abs(rate.x), abs(grown.x));
+    real v = max(abs(rate.y), abs(grown.y));
+    vec2 second = real(2) * abs(bend);
+    real cubes = (bends.third.x * u + real(3) * bends.third.y * v) * u * u +
+                 (real(3) * bends.third.z * u + bends.third.w * v) * v * v;
+    real products = bends.second.x * u * second.x + bends.second.y * (u * second.y + v * second.x) +
+                    bends.second.z * v * second.y;
+    return cubes + real(3) * products;
+}

@@ -1,0 +1,90 @@
+// filter.glsl's step through one cell for curved surfaces: the surface along a chord is no polynomial of low degree, so the
+// chord is halved until the parabola through its ends and middle decides. Expects filter.glsl and curved.glsl.
+
+// What leaves this much of the doubt band undecided is not halved further.
+const real kEnoughOfDoubt = real(0.25);
+
+// A bound of |grad f| along a chord: the slopes at its middle, and how far they can change from there.
+real steepestAlong(Patch quad, Bends bends, vec3 middle, vec2 reach, vec2 steepness) {
+    vec2 slopes = abs(patchSlopes(quad, middle.x, middle.y));
+    real east = slopes.x + bends.second.x * reach.x + bends.second.y * reach.y;
+    real south = slopes.y + bends.second.y * reach.x + bends.second.z * reach.y;
+    return real(1) + east * steepness.x + south * steepness.y;
+}
+
+// The chord's parabola, and in `band` how far rounding can take the ray and the surface apart.
+Chord curvedChord(Patch quad, vec3 start, vec3 slope, vec3 bend, vec2 steepness, INOUT(real) band) {
+    vec3 middle = start + real(0.5) * (slope + real(0.5) * bend);
+    vec3 end = start + slope + bend;
+    real g_start = start.z - patchValue(quad, start.x, start.y);
+    real g_middle = middle.z - patchValue(quad, middle.x, middle.y);
+    real g_end = end.z - patchValue(quad, end.x, end.y);
+    real bend_g = real(2) * (g_start + g_end - real(2) * g_middle);
+    Bends bends = patchBends(quad);
+    vec2 rate = vec2(slope.x, slope.y);
+    vec2 turn = vec2(bend.x, bend.y);
+    band = kDoubt * steepestAlong(quad, bends, middle, real(0.5) * abs(rate) + abs(turn), steepness);
+    return makeCurvedChord(g_start, g_end - g_start - bend_g, bend_g, chordTwist(bends, rate, turn));
+}
+
+// Whether g falls all along the chord and ends below the band: then its one root is the first. Steeply enough that the
+// parabola's slope is right to a tenth, so that the refinement's two steps reach it.
+bool fallsThrough(Chord chord, real band) {
+    real steepest_rise = max(chord.slope, chord.slope + real(2) * chord.bend);
+    return chord.g + chord.slope + chord.bend < -band && steepest_rise < real(-100) * chord.miss;
+}
+
+// From the start of the chord to the cell's edge that lies ahead, along one coordinate.
+real gapAhead(real place, bool forward, real size) {
+    return forward ? greater(size - place, real(0)) : lesser(-place, real(0));
+}
+
+// Goes on to the chord's end, or stays for half of it.
+void moveOn(INOUT(Stroll) stroll, MapData map, bvec2 leaves, bvec2 forward, real height, bool halve) {
+    real by = stroll.high - stroll.low;
+    stroll.longest = halve ? real(0.5) * by : real(2) * by;
+    if (halve) return;
+    real below = forward.y ? height : -rowHeight(map, stroll.cell.y - 1);
+    stroll.x = stroll.high;
+    stroll.cell.x = wrapColumn(stroll.cell.x + (leaves.x ? (forward.x ? 1 : -1) : 0), map.width);
+    stroll.corner.x += leaves.x ? (forward.x ? real(1) : real(-1)) : real(0);
+    stroll.cell.y += leaves.y ? (forward.y ? 1 : -1) : 0;
+    stroll.corner.y += leaves.y ? below : real(0);
+}
+
+void strollStep(INOUT(Stroll) stroll, Piece piece, MapData map, real scale, bool may_be_inside) {
+    Patch quad = fetchPatch(map, scale, stroll.cell);  // too much to carry along: filterMarch fetches the hit's again
+    real height = rowHeight(map, stroll.cell.y);
+    real rows_per_height = height < real(1) ? real(2) : real(1);
+    real x = stroll.x;
+    vec3 place = piece.start + x * (piece.slope + x * piece.bend) - vec3(stroll.corner, real(0));
+    vec3 rate = piece.slope + (real(2) * x) * piece.bend;
+    bvec2 forward = bvec2(rate.x > real(0), rate.y > real(0));
+    Advance to_u = advanceTo(gapAhead(place.x, forward.x, real(1)), rate.x, piece.bend.x);
+    Advance to_v = advanceTo(gapAhead(place.y, forward.y, height), rate.y, piece.bend.y);
+    bool pole_edge = stroll.cell.y == (forward.y ? map.rows - 1 : 0);
+    to_v.by = pole_edge && to_v.crosses ? kInfinity : to_v.by;
+    real by = lesser(lesser(lesser(to_u.by, to_v.by), real(1) - x), stroll.longest);
+
+    vec3 per_place = vec3(real(1), rows_per_height, real(1));
+    vec2 steepness = vec2(piece.steepness.x, piece.steepness.y * rows_per_height);
+    real band;
+    stroll.chord = curvedChord(quad, place * per_place, by * rate * per_place,
+                               (by * by) * piece.bend * per_place, steepness, band);
+    Chord chord = stroll.chord;
+    real wide = band + chord.miss;
+    bool narrow = chord.miss <= kEnoughOfDoubt * band || by * piece.extent <= real(4) * kShortestChord;
+
+    stroll.inside = may_be_inside && chord.g < -wide;
+    bool falls = chord.g > real(0) && (fallsThrough(chord, wide) || (narrow && chord.lowest < -wide));
+    // Written so that any NaN is a doubt.
+    bool free = chord.lowest > wide && chord.g > real(0);
+    stroll.hit = stroll.inside || falls;
+    bool halve = !stroll.hit && !free && !narrow;
+    stroll.doubtful = !stroll.hit && !free && narrow;
+    stroll.going = halve || (free && by < real(1) - x);
+    stroll.low = x;
+    stroll.high = x + by;
+    bvec2 leaves = bvec2(to_u.crosses && to_u.by <= by, to_v.crosses && to_v.by <= by);
+    if (stroll.going) moveOn(stroll, map, leaves, forward, height, halve);
+}

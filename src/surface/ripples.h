@@ -1,0 +1,18 @@
+#pragma once
+
+#include "surface/heightmap.h"
+
+namespace dsphere {
+
+struct Interval {
+    double low, high;
+};
+
+/// The first sine's argument at a longitude in radians: 2 pi u_frequency u, u as the map's longitude origin shifts it.
+/// The second's is v_frequency times the colatitude.
+double ripplePhase(const Heightmap& map, double longitude);
+
+/// Least and greatest h over a box of longitude and colatitude, radians: exact but for rounding.
+Interval rippleRange(const Heightmap& map, const Interval& longitude, const Interval& colatitude);
+
+}  // namespace dsphere
