@@ -11,17 +11,18 @@ std::unique_ptr<Document> makeDocument(std::string path, Scene original, Scene s
     made->scene = std::move(scene);
     made->maps = loadSceneMaps(made->scene);
     made->packed = packScene(made->scene, made->maps);
+    made->locate();
     return made;
 }
 
 }  // namespace
 
-Globe Document::globe() const {
+void Document::locate() {
     std::size_t i = Globe::shapeOf(scene);
     int relief = packed.relief_of_object[i];
     const NodeGrid* nodes =
         relief < 0 ? nullptr : packed.nodes[std::size_t(packed.reliefs[std::size_t(relief)].map)].get();
-    return Globe(scene.shapes[i], nodes, maps.reliefs[i]);
+    globe_of_packing.emplace(scene.shapes[i], nodes, maps.reliefs[i]);
 }
 
 std::vector<std::filesystem::path> Document::files() const {

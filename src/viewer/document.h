@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,11 @@ struct Document {
     SceneMaps maps;
     PackedScene packed;
     Tuning tuning;
+    std::optional<Globe> globe_of_packing;
 
-    Globe globe() const;
+    /// Made by locate(), so that it may be used while a retune() changes the maps' reliefs.
+    const Globe& globe() const { return *globe_of_packing; }
+    void locate();
     /// The files that it came from.
     std::vector<std::filesystem::path> files() const;
     double midlevel() const;  ///< of the file's displaced sphere, 0 without one

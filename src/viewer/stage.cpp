@@ -31,6 +31,7 @@ void Stage::updateRelief(PackedScene packed, const Tuning& tuning) {
     Scene scene = tuned(document.original, tuning);
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) document.scene.shapes[i].geometry = scene.shapes[i].geometry;
     document.tuning = tuning;
+    document.locate();
     packLook(document.packed, document.scene, document.maps);
     packCamera(document.packed, document.scene);
     film_.reset();  // it may hold a pipeline that goes
