@@ -147,7 +147,7 @@ struct ObjectData {
 };
 
 struct LightData {
-    vec4 position;  // w = 0: unit direction towards the light; w = 1: world position
+    vec4 position;  // w = 0: unit direction towards the light; w = 1: world, seen from object 0's centre
     vec4 radiance;  // rgb: irradiance (distant) or intensity (point)
 };
 

@@ -64,7 +64,7 @@ void considerObject(inout SurfacePoint best, int k, vec2 raster, vec2 jitter) {
     best.doubtful = best.doubtful || hit.doubtful;
     vec3 towards = fromRayStart(object, hit.p, pixel + jitter);
     float t = hit.inside ? 0.0 : length(towards);
-    vec3 from_first = kObjectCount > 1 ? fromCentre(object, hit.p) + object.from_first.xyz : vec3(0.0);
+    vec3 from_first = fromCentre(object, hit.p) + object.from_first.xyz;
     if (hit.hit && (kObjectCount == 1 || isNearer(best, t, towards, from_first))) {
         best.hit = true;
         best.inside = hit.inside;
@@ -116,7 +116,7 @@ bool shades(int k, SurfacePoint point, LightData light, bool ends, inout bool do
     vec3 start = point.start;
     if (kObjectCount > 1 && k != point.object)
         start = objectFromWorldPoint(object, worldFromObjectPoint(objects[point.object], point.start));
-    vec3 offset = ends ? objectFromWorldPoint(object, light.position.xyz) - start
+    vec3 offset = ends ? objectFromWorldVector(object, light.position.xyz - object.from_first.xyz) - start
                        : objectFromWorldVector(object, light.position.xyz);
     // P' stands on the level that the camera's ray met; other objects throw the shadows of their maps.
     MapData map = mapOf(k, k == point.object ? point.level : 0);
@@ -126,7 +126,7 @@ bool shades(int k, SurfacePoint point, LightData light, bool ends, inout bool do
 // Whether the light is seen from P'. `doubtful` is set where another precision must decide.
 bool isLit(SurfacePoint point, LightData light, inout bool doubtful) {
     bool ends = light.position.w > 0.5;
-    vec3 towards = ends ? light.position.xyz - point.position : light.position.xyz;
+    vec3 towards = ends ? light.position.xyz - point.from_first : light.position.xyz;
     bool lit = dot(towards, point.normal) > 0.0;
     for (int k = 0; k < kObjectCount && lit; ++k) lit = !shades(k, point, light, ends, doubtful);
     return lit;
@@ -149,7 +149,7 @@ float terminatorShare(float cosine, float shading_cosine, float between) {
 
 // Radiance that a Lambertian surface of albedo pi sends off because of a light.
 vec3 lightFrom(LightData light, SurfacePoint point) {
-    vec3 towards = light.position.xyz - light.position.w * point.position;
+    vec3 towards = light.position.xyz - light.position.w * point.from_first;
     float square = dot(towards, towards);
     float cosine = max(dot(towards, shadingNormal(point)) * inversesqrt(square), 0.0);
 #ifdef WITH_CURVED

@@ -129,8 +129,10 @@ struct DeviceScene::Layout {
         for (std::size_t k = 0; k < packed.relief_of_object.size(); ++k) {
             int relief = packed.relief_of_object[k];
             for (std::size_t level = 0; relief >= 0 && level < MAX_LEVELS; ++level) {
-                result[level * MAX_OBJECTS + k] = maps[std::size_t(relief)];
-                relief = packed.reliefs[std::size_t(relief)].coarser;
+                const PackedRelief& from = packed.reliefs[std::size_t(relief)];
+                layout::MapData& data = result[level * MAX_OBJECTS + k] = maps[std::size_t(relief)];
+                data.least_pixel = from.shader.data.least_pixel;  // changes with the scale
+                relief = from.coarser;
             }
         }
         return result;
@@ -251,6 +253,8 @@ void DeviceScene::updateLights(const PackedScene& packed) {
 }
 
 void DeviceScene::updateReliefs(const PackedScene& packed) {
+    const std::vector<layout::MapData> maps = layout_->ofObjects(packed);
+    maps_.upload(0, maps.size() * sizeof(maps[0]), maps.data());
     for (std::size_t i = 0; i < packed.reliefs.size(); ++i) {
         const Bounds& bounds = packed.reliefs[i].bounds;
         Stack::Place place = layout_->bound_places[i];

@@ -190,11 +190,12 @@ double packGeometry(ObjectData& object, PackedScene& packed, const Shape& shape,
     return std::get<Sphere>(shape.geometry).radius;
 }
 
-layout::LightData packLight(const Light& light) {
+/// A point light as seen from the first object's centre: a planet and its lamp may be far from the origin.
+layout::LightData packLight(const Light& light, const dvec3& first_centre) {
     if (const auto* distant = std::get_if<DistantLight>(&light))
         return {narrow(distant->direction, 0.0), narrow(distant->radiance, 0.0)};
     const auto& point = std::get<PointLight>(light);
-    return {narrow(point.position, 1.0), narrow(point.intensity, 0.0)};
+    return {narrow(point.position - first_centre, 1.0), narrow(point.intensity, 0.0)};
 }
 
 }  // namespace
@@ -212,7 +213,7 @@ void packLook(PackedScene& packed, const Scene& scene, const SceneMaps& maps) {
     for (std::size_t i = 0; i < scene.shapes.size(); ++i)
         packMaterial(packed.objects[i], scene.shapes[i], maps.reliefs[i]);
     packed.lights.clear();
-    for (const Light& light : scene.lights) packed.lights.push_back(packLight(light));
+    for (const Light& light : scene.lights) packed.lights.push_back(packLight(light, centreOf(scene.shapes[0])));
 }
 
 PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels) {

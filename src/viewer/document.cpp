@@ -4,13 +4,14 @@ namespace dsphere::viewer {
 
 namespace {
 
-std::unique_ptr<Document> makeDocument(std::string path, Scene original, Scene scene) {
+std::unique_ptr<Document> makeDocument(std::string path, Scene original, Scene scene, const Tuning& tuning) {
     auto made = std::make_unique<Document>();
     made->path = std::move(path);
     made->original = std::move(original);
     made->scene = std::move(scene);
     made->maps = loadSceneMaps(made->scene);
-    made->packed = packScene(made->scene, made->maps);
+    made->packed = packScene(made->scene, made->maps, tuning.levels);
+    made->tuning = tuning;
     made->locate();
     return made;
 }
@@ -33,22 +34,25 @@ std::vector<std::filesystem::path> Document::files() const {
     return result;
 }
 
-double Document::midlevel() const {
-    const auto* sphere = std::get_if<DisplacedSphere>(&original.shapes[Globe::shapeOf(original)].geometry);
-    return sphere ? sphere->midlevel : 0.0;
+const DisplacedSphere* Document::originalGlobe() const {
+    return std::get_if<DisplacedSphere>(&original.shapes[Globe::shapeOf(original)].geometry);
 }
 
 std::unique_ptr<Document> openDocument(const OpenScene& open, const std::string& path) {
     Scene scene = open(path);
-    std::unique_ptr<Document> made = makeDocument(path, scene, scene);
-    made->tuning.midlevel = made->midlevel();
+    std::unique_ptr<Document> made = makeDocument(path, scene, scene, {});
+    if (const DisplacedSphere* globe = made->originalGlobe()) {
+        made->tuning.midlevel = globe->midlevel;
+        made->tuning.filter = globe->filter;
+    }
     return made;
 }
 
-std::unique_ptr<Document> remakeDocument(const Document& old, const Scene& scene) {
-    std::unique_ptr<Document> made = makeDocument(old.path, old.original, scene);
-    made->tuning = old.tuning;
-    return made;
+std::unique_ptr<Document> remakeDocument(const Document& old, const Scene& scene, const Tuning& tuning) {
+    Scene changed = scene;
+    const Scene shaped = tuned(old.original, tuning);
+    for (std::size_t i = 0; i < changed.shapes.size(); ++i) changed.shapes[i].geometry = shaped.shapes[i].geometry;
+    return makeDocument(old.path, old.original, std::move(changed), tuning);
 }
 
 Scene tuned(const Scene& original, const Tuning& tuning) {
@@ -60,7 +64,7 @@ Scene tuned(const Scene& original, const Tuning& tuning) {
         if (sphere->height_scale) *sphere->height_scale *= tuning.exaggeration;
     }
     if (auto* sphere = std::get_if<DisplacedSphere>(&scene.shapes[Globe::shapeOf(scene)].geometry))
-        sphere->midlevel = tuning.midlevel;
+        sphere->midlevel = tuning.midlevel, sphere->filter = tuning.filter;
     return scene;
 }
 
@@ -74,7 +78,7 @@ PackedScene retune(Document& document, const Tuning& tuning) {
         reliefs[i] = makeRelief(*sphere, map, scene.shapes[i].where);
     }
     document.maps.reliefs.swap(reliefs);
-    return packScene(scene, document.maps);
+    return packScene(scene, document.maps, tuning.levels);
 }
 
 }  // namespace dsphere::viewer

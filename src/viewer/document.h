@@ -20,7 +20,11 @@ using OpenScene = std::function<Scene(const std::string& path)>;
 struct Tuning {
     double exaggeration = 1.0;
     double midlevel = 0.0;
+    Filter filter = Filter::Bilinear;  ///< of the globe, unless it ripples
+    Levels levels = Levels::Finest;    ///< that its packing holds
 
+    /// Whether a packing under the other takes the place of this one's on the device as it is.
+    bool fits(const Tuning& other) const { return filter == other.filter && levels == other.levels; }
     bool operator==(const Tuning&) const = default;
 };
 
@@ -39,20 +43,22 @@ struct Document {
     void locate();
     /// The files that it came from.
     std::vector<std::filesystem::path> files() const;
-    double midlevel() const;  ///< of the file's displaced sphere, 0 without one
+    /// The globe as the file says it, null if it is another shape.
+    const DisplacedSphere* originalGlobe() const;
 };
 
 /// Everything but the device: reads and packs. Throws Error. Takes seconds for large maps.
 std::unique_ptr<Document> openDocument(const OpenScene& open, const std::string& path);
 
-/// The same after a change of images: reads again what the scene says.
-std::unique_ptr<Document> remakeDocument(const Document& old, const Scene& scene);
+/// The same after a change of images, or under a tuning that does not fit(): reads again what the scene says.
+std::unique_ptr<Document> remakeDocument(const Document& old, const Scene& scene, const Tuning& tuning);
 
 /// The scene of a document under another tuning.
 Scene tuned(const Scene& original, const Tuning& tuning);
 
-/// A new packing of the document's maps under another tuning. While it is made the document's maps and packing may not
-/// be used. Throws Error (InvalidInput), and leaves the document as it was, if a radius would not be positive.
+/// A new packing of the document's maps under another tuning, which fits(). While it is made the document's maps and
+/// packing may not be used. Throws Error (InvalidInput), and leaves the document as it was, if a radius would not be
+/// positive.
 PackedScene retune(Document& document, const Tuning& tuning);
 
 }  // namespace dsphere::viewer

@@ -1,5 +1,7 @@
 #include "viewer/globe.h"
 
+#include "surface/ripples.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -42,8 +44,17 @@ dvec3 Globe::objectDirection(const dvec3& world) const {
     return transformVector(object_from_world_, world);
 }
 
-// Bilinear between the nodes, as the surface is; a cap row is half as high.
+double Globe::rippleAt(const dvec3& object_direction) const {
+    dvec3 d = glm::normalize(object_direction);
+    const Heightmap& map = nodes_->map();
+    double phase = ripplePhase(map, std::atan2(d.x, d.z));
+    double fall = map.ripples->v_frequency * std::acos(std::clamp(d.y, -1.0, 1.0));
+    return 0.5 + 0.5 * std::sin(phase) * std::sin(fall);
+}
+
+// Bilinear between the nodes, also under a spline, of which that is within a texel's rise; a cap row is half as high.
 double Globe::storedAt(const dvec3& object_direction) const {
+    if (nodes_->map().ripples) return rippleAt(object_direction);
     dvec3 d = glm::normalize(object_direction);
     double colatitude = std::acos(std::clamp(d.y, -1.0, 1.0));
     double column = nodes_->column(std::atan2(d.x, d.z)), row = nodes_->nodeRow(colatitude);

@@ -37,6 +37,7 @@ class Globe {
 
   private:
     dvec3 objectDirection(const dvec3& world) const;
+    double rippleAt(const dvec3& object_direction) const;
     double storedAt(const dvec3& object_direction) const;
 
     const NodeGrid* nodes_;

@@ -17,9 +17,11 @@ void App::startWork() {
         loading_.start([open = options_.open, path = loading_path_] { return openDocument(open, path); });
     } else if (wanted_scene_) {
         loading_path_ = stage_->document().path;
-        loading_.start([&old = stage_->document(), scene = *std::exchange(wanted_scene_, nullptr)] {
-            return remakeDocument(old, scene);
-        });
+        loading_.start([&old = stage_->document(), scene = *std::exchange(wanted_scene_, nullptr),
+                        tuning = wanted_tuning_] { return remakeDocument(old, scene, tuning); });
+    } else if (stage_ && !wanted_tuning_.fits(stage_->document().tuning)) {
+        wanted_scene_ = std::make_unique<Scene>(stage_->document().scene);
+        startWork();
     } else if (stage_ && wanted_tuning_ != stage_->document().tuning) {
         packing_tuning_ = wanted_tuning_;
         packing_.start([&document = stage_->document(), tuning = wanted_tuning_] { return retune(document, tuning); });

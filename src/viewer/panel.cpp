@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "scene/ramps.h"
 #include "viewer/ui.h"
@@ -22,11 +24,19 @@ bool slider(const char* name, double& value, double low, double high, const char
     return ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &low, &high, format, flags);
 }
 
+// Pixels that the surface may be off where texels are smaller than pixels.
+void detailChoice(float& detail) {
+    constexpr float kPixels[] = {0.0f, 0.5f, 1.0f, 2.0f};
+    int chosen = int(std::ranges::lower_bound(kPixels, detail) - std::begin(kPixels));
+    if (ImGui::Combo("detail", &chosen, "exact\0half a pixel\0one pixel\0two pixels\0")) detail = kPixels[chosen];
+}
+
 void marchSection(Ui& ui) {
     heading("Marcher");
     int marcher = int(ui.view.method.marcher);
     if (ImGui::Combo("marcher", &marcher, kMarchers, IM_ARRAYSIZE(kMarchers)))
         ui.view.method.marcher = Marcher(marcher);
+    if (ui.view.method.marcher == Marcher::Exact) detailChoice(ui.view.method.detail);
     ImGui::Checkbox("split: naive | this", &ui.view.split);
     int show = int(ui.view.show);
     if (ImGui::Combo("value", &show, kShowNames, kShowCount)) ui.view.show = Show(show);
@@ -39,8 +49,9 @@ void reliefSection(Ui& ui) {
     heading("Relief");
     slider("exaggeration", ui.tuning.exaggeration, 0.0, 10.0, "%.2f", ImGuiSliderFlags_None);
     slider("midlevel", ui.tuning.midlevel, -1.0, 1.0, "%.3f");
-    int filter = 0;
-    ImGui::Combo("filter", &filter, "bilinear\0");
+    if (ui.ripples) return;
+    int filter = int(ui.tuning.filter);
+    if (ImGui::Combo("filter", &filter, "bilinear\0bspline\0")) ui.tuning.filter = Filter(filter);
 }
 
 void lightSection(Ui& ui) {

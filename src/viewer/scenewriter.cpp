@@ -63,6 +63,11 @@ std::string displacedText(const DisplacedSphere& sphere, const std::filesystem::
     std::string text = fmt::format("Shape \"displacedsphere\" \"float radius\" {}", number(sphere.radius));
     if (!sphere.map_path.empty())
         text += fmt::format("\n    \"string displacementmap\" {}", relativeTo(folder, sphere.map_path));
+    if (sphere.ripples)
+        text += fmt::format(
+            "\n    \"string displacementfunction\" \"ripples\" \"integer ufrequency\" {} "
+            "\"integer vfrequency\" {}",
+            sphere.ripples->u_frequency, sphere.ripples->v_frequency);
     if (!sphere.height_scale) appendNumber(text, "maxdispl", sphere.max_displacement);
     appendNumber(text, "heightscale", sphere.height_scale);
     appendNumber(text, "midlevel", sphere.midlevel);
@@ -74,6 +79,8 @@ std::string displacedText(const DisplacedSphere& sphere, const std::filesystem::
     appendNumber(text, "lonorigin", sphere.longitude_origin);
     if (sphere.blur != 0.0) appendNumber(text, "blur", sphere.blur);
     appendNumber(text, "nodata", sphere.nodata);
+    if (sphere.filter == Filter::BSpline) text += " \"string filter\" \"bspline\"";
+    if (sphere.smooth_normals) text += " \"bool smoothnormals\" true";
     return text + "\n";
 }
 

@@ -99,7 +99,9 @@ void App::fillUi() {
     }
     figures.hover = hoverText();
     ui_.tuning = wanted_tuning_;
-    ui_.displaced = std::holds_alternative<DisplacedSphere>(shape.geometry);
+    const auto* globe = std::get_if<DisplacedSphere>(&shape.geometry);
+    ui_.displaced = globe != nullptr;
+    ui_.ripples = globe && globe->ripples;
     ui_.material = shape.material.reflectance;
     ui_.sun = sunAngles();
     const Texture& original = document.original.shapes[Globe::shapeOf(document.original)].material.reflectance;
@@ -117,6 +119,7 @@ void App::applyUi() {
     // The shown values are recoloured without a ray, if they are all there.
     if (tone_changed && !view_changed && begun_ && stage_->film().between() && stage_->film().samples() > 0) publish();
     if (!(ui_.tuning == wanted_tuning_)) wanted_tuning_ = ui_.tuning;
+    if (view_.method.detail > 0.0f) wanted_tuning_.levels = Levels::All;
     if (ui_.sun && !(*ui_.sun == *sunAngles())) setSun(*ui_.sun);
     const Document& document = stage_->document();
     if (!(ui_.material == document.scene.shapes[Globe::shapeOf(document.scene)].material.reflectance))

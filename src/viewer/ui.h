@@ -34,6 +34,7 @@ struct Ui {
     ViewSettings view;
     ToneSettings tone;
     Tuning tuning;
+    bool ripples = false;           ///< the globe has no map, and so no filter
     Texture material;               ///< of the globe
     std::optional<ImageMap> image;  ///< that the file gives the globe
     std::optional<SunAngles> sun;   ///< unset: the scene has no distant light

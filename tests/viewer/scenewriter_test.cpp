@@ -39,7 +39,10 @@ TEST(SceneWriter, BringsEverythingBackBitForBit) {
         "  \"float lonorigin\" 0 \"float blur\" 1.5 \"float nodata\" -32768 \"float radius\" 1.7\n"
         "Material \"matte\" \"texture Kd\" \"i\"\nShape \"disk\" \"float radius\" 2 \"float innerradius\" 1\n"
         "Material \"matte\" \"rgb Kd\" [.1 .2 .3]\nShape \"sphere\" \"float radius\" .3\n"
-        "Shape \"displacedsphere\" \"float maxdispl\" -3.3\n");
+        "Shape \"displacedsphere\" \"float maxdispl\" -3.3\n"
+        "Shape \"displacedsphere\" \"string displacementmap\" \"a.png\" \"string filter\" \"bspline\"\n"
+        "Shape \"displacedsphere\" \"string displacementmap\" \"a.png\" \"bool smoothnormals\" true\n"
+        "Shape \"displacedsphere\" \"string displacementfunction\" \"ripples\" \"integer ufrequency\" 7\n");
 }
 
 TEST(SceneWriter, OrthographicCamera) {
