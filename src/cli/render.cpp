@@ -10,6 +10,8 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <future>
+#include <optional>
 
 namespace dsphere::cli {
 
@@ -147,10 +149,25 @@ int runRender(const RenderOptions& options) {
     std::uint32_t aovs = checkOutput(options, path, samples);
     if (options.detail > 0.0f && options.scene.marcher != Marcher::Exact)
         throw Error(ExitCode::Usage, "--detail is of the exact marcher; the baselines march the map itself");
-    SceneMaps maps = loadSceneMaps(scene);
+    const MarchMethod method(options.scene.marcher, MarchMethod().threshold, options.detail);
+    // A driver compiles while the maps are read. A bad map is what the user hears of first, whatever the device.
+    auto reading = std::async(std::launch::async, [&scene] { return loadSceneMaps(scene); });
+    std::optional<gpu::Device> opened;
+    std::future<PassPipelines> compiling;
+    try {
+        opened.emplace(gpu::DeviceOptions{options.common.device, options.common.validation});
+        if (method.marcher == Marcher::Exact)
+            compiling = std::async(std::launch::async, makeAhead, std::ref(*opened), std::cref(scene), method,
+                                   aovs ? aovs : kColourPlanes);
+    } catch (...) {
+        reading.get();
+        throw;
+    }
+    gpu::Device& device = *opened;
+    SceneMaps maps = reading.get();
     PackedScene packed = packScene(scene, maps, options.detail > 0.0f ? Levels::All : Levels::Finest);
-    gpu::Device device = openDevice(options.common);
-    Renderer renderer(device, packed, scene, {options.scene.marcher, MarchMethod().threshold, options.detail});
+    Renderer renderer(device, packed, scene, method);
+    if (compiling.valid()) renderer.adopt(compiling.get());
 
     Image image;
     {

@@ -71,7 +71,7 @@ struct PresentQueue {
 };
 
 /// An instance, a logical device and one queue with compute. Everything made from it must be gone before it goes.
-/// For one thread at a time. All calls into Vulkan that fail throw Error(Failure) with the call's and the result's
+/// For one thread at a time, but for the making of pipelines. All calls into Vulkan that fail throw Error(Failure) with the call's and the result's
 /// name.
 class Device {
   public:

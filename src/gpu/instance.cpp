@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <mutex>
 
 #include "base/error.h"
 #include "gpu/result.h"
@@ -44,6 +45,9 @@ VkBool32 VKAPI_PTR collect(VkDebugUtilsMessageSeverityFlagBitsEXT severity, VkDe
                            const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
     const bool error = severity >= VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
     if (error || (types & VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT)) {
+        // Pipelines are made on threads of their own.
+        static std::mutex mutex;
+        std::lock_guard lock(mutex);
         static_cast<std::vector<std::string>*>(user)->push_back(
             fmt::format("{}: {}", error ? "error" : "warning", data->pMessage));
     }

@@ -42,9 +42,6 @@ struct PackedScene {
     std::vector<layout::vec4> ramp_points;           ///< all ramps, RAMP_POINTS each
     std::uint32_t kinds = 0;                         ///< bit per KIND_ in use
     std::uint32_t surfaces = 0;                      ///< bit per SURFACE_ in use
-
-    /// Whether the shader variants WITH_CURVED are needed.
-    bool curved() const { return surfaces > 1u << SURFACE_BILINEAR; }
 };
 
 /// Error (InvalidInput) with more than MAX_OBJECTS shapes, MAX_LIGHTS lights, or MAX_MARCHES rays a pixel.

@@ -9,6 +9,7 @@
 #include "shaders/render_full_curved.spv.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace dsphere {
 
@@ -44,21 +45,29 @@ Spirv fullShader(bool curved) {
 
 }  // namespace
 
-PassPipelines::PassPipelines(gpu::Device& device, const PackedScene& packed, const MarchMethod& method,
+PassPipelines::PassPipelines(gpu::Device& device, const SceneTraits& traits, float stride, const MarchMethod& method,
                              std::uint32_t mask)
     : device_(&device),
-      packed_(&packed),
+      traits_(traits),
+      stride_(stride),
       method_(method),
       mask_(mask),
-      first_(make(firstShader(method, packed.curved()))) {}
+      first_(make(firstShader(method, traits.curved()))) {}
 
 gpu::ComputePipeline PassPipelines::make(std::span<const std::uint32_t> spirv) const {
-    return makeMarchPipeline(*device_, *packed_, spirv, Shader::Render, method_, mask_);
+    return makeMarchPipeline(*device_, traits_, stride_, spirv, Shader::Render, method_, mask_);
 }
 
 const gpu::ComputePipeline& PassPipelines::full() {
-    if (!full_) full_ = make(fullShader(packed_->curved()));
+    if (!full_) full_ = make(fullShader(traits_.curved()));
     return *full_;
+}
+
+PassPipelines makeAhead(gpu::Device& device, const Scene& scene, const MarchMethod& method, std::uint32_t mask) {
+    assert(method.marcher == Marcher::Exact);
+    PassPipelines made(device, traitsOf(scene), 1.0f, method, mask);
+    if (made.traits().kinds & 1u << KIND_DISPLACED) made.full();
+    return made;
 }
 
 Pass::Pass(gpu::Device& device, PassPipelines& pipelines, const DeviceScene& device_scene,
@@ -97,6 +106,7 @@ void Pass::warmUpFull(const layout::RetryHead& head) {
     layout::RetryHead none = {};
     retry_list_.upload(0, sizeof(none), &none);
     warmUp(pipelines_.full());
+    pipelines_.full_is_warm = true;
     retry_list_.upload(0, sizeof(head), &head);
 }
 
@@ -105,7 +115,7 @@ double Pass::retry(layout::RenderParams params) {
     retry_list_.download(0, sizeof(head), &head);
     if (head.count == 0) return 0.0;
     retried_ += head.count;
-    if (!pipelines_.hasFull()) warmUpFull(head);
+    if (!pipelines_.full_is_warm) warmUpFull(head);
     batch_.bind(pipelines_.full(), set_);
     batch_.push(params);
     batch_.dispatch(groups(int(head.count), GROUP_SIZE_X * GROUP_SIZE_Y), 1, 1);

@@ -15,23 +15,33 @@ namespace dsphere {
 /// leaves; or MARCH_BASELINE, which leaves none. The second is made when a pixel needs it.
 class PassPipelines {
   public:
-    /// The packed scene must outlive the pipelines.
-    PassPipelines(gpu::Device& device, const PackedScene& packed, const MarchMethod& method, std::uint32_t mask);
+    /// `stride`: safeStride().
+    PassPipelines(gpu::Device& device, const SceneTraits& traits, float stride, const MarchMethod& method,
+                  std::uint32_t mask);
 
+    const SceneTraits& traits() const { return traits_; }
+    const MarchMethod& method() const { return method_; }
+    std::uint32_t mask() const { return mask_; }
     const gpu::ComputePipeline& first() const { return first_; }
-    bool hasFull() const { return full_.has_value(); }
     const gpu::ComputePipeline& full();
+    /// Whether full() was dispatched: the first time drivers may compile.
+    bool full_is_warm = false;
 
   private:
     gpu::ComputePipeline make(std::span<const std::uint32_t> spirv) const;
 
     gpu::Device* device_;
-    const PackedScene* packed_;
+    SceneTraits traits_;
+    float stride_;
     MarchMethod method_;
     std::uint32_t mask_;
     gpu::ComputePipeline first_;
     std::optional<gpu::ComputePipeline> full_;
 };
+
+/// Those of an exact marcher, all made at once, on a thread of the caller's: while others use the device, and before
+/// the scene's maps are read.
+PassPipelines makeAhead(gpu::Device& device, const Scene& scene, const MarchMethod& method, std::uint32_t mask);
 
 /// One film, filled in two steps: tiles by the one pipeline, then the pixels that it left by the other.
 class Pass {

@@ -55,10 +55,17 @@ void Renderer::update(bool reliefs) {
     device_scene_.updateLights(packed_);
 }
 
+void Renderer::adopt(PassPipelines made) {
+    if (made.traits() == traitsOf(packed_)) pipelines_.try_emplace({made.method(), made.mask()}, std::move(made));
+}
+
 PassPipelines& Renderer::pipelines(const MarchMethod& method, std::uint32_t mask) {
     auto found = pipelines_.find({method, mask});
     if (found == pipelines_.end())
-        found = pipelines_.emplace(std::pair(method, mask), PassPipelines(device_, packed_, method, mask)).first;
+        found = pipelines_
+                    .emplace(std::pair(method, mask),
+                             PassPipelines(device_, traitsOf(packed_), safeStride(packed_, method), method, mask))
+                    .first;
     return found->second;
 }
 
