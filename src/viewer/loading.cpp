@@ -43,6 +43,8 @@ void App::finishWork() {
     } catch (const Error& error) {
         if (!stage_) throw;
         wanted_tuning_ = stage_->document().tuning;
+        // Levels that could not be made must not be asked for again at once.
+        if (wanted_tuning_.levels == Levels::Finest) view_.method.detail = ui_.view.method.detail = 0.0f;
         say(error.what(), true);
         // What changed on disk counts as seen, or the same error would come for ever.
     }
