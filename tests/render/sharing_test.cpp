@@ -28,6 +28,19 @@ TEST_F(SharingTest, AnotherDisplacementSharesTheNodes) {
     EXPECT_EQ(two.packed.relief_of_object, (std::vector<int>{0, 1}));
 }
 
+// Pipelines are made from the one before the other is known.
+TEST_F(SharingTest, TraitsOfASceneAreThoseOfItsPacking) {
+    for (const std::string& shapes :
+         {planet(), planet() + "Translate 3 0 0\nShape \"sphere\"\nShape \"disk\"\n",
+          planet("\"string filter\" \"bspline\"") + planet("\"bool smoothnormals\" true"),
+          planet("\"string filter\" \"bspline\" \"bool smoothnormals\" true"),
+          std::string(
+              "Shape \"displacedsphere\" \"string displacementfunction\" \"ripples\" \"float maxdispl\" 5\n")}) {
+        World made = world(shapes);
+        EXPECT_EQ(traitsOf(made.scene), traitsOf(made.packed)) << shapes;
+    }
+}
+
 TEST_F(SharingTest, AnotherMapOrReadingOfItSharesNothing) {
     World maps = world(planet() + planet("\"float maxdispl\" 10", "other.pgm"));
     EXPECT_EQ(maps.packed.nodes.size(), 2u);
