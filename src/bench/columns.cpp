@@ -106,7 +106,8 @@ const Cells& explanations() {
         "reference says at the true hit. Rays whose answer changes when they move sideways by 1e-6 R are tangent: "
         "counted apart, either answer is right. Distances are from a hit to the true surface, in units of the greatest "
         "radius R, and as seen, in pixels.",
-        "exact is this program's marcher. naive steps by |p| - r until that is under its threshold, in units of R. "
+        "exact is this program's marcher; detail the same on the coarsest level of the map that is off by so many "
+        "pixels at most. naive steps by |p| - r until that is under its threshold, in units of R. "
         "lipschitz divides that step by a proven bound of the slope, and stops at 3e-6. grid and triangles are meshes "
         "of the map's nodes, of every second (1/2) or fourth (1/4) node. smooth is a sphere without a map: no method "
         "can "
