@@ -71,8 +71,8 @@ struct PresentQueue {
 };
 
 /// An instance, a logical device and one queue with compute. Everything made from it must be gone before it goes.
-/// For one thread at a time, but for the making of pipelines. All calls into Vulkan that fail throw Error(Failure) with the call's and the result's
-/// name.
+/// For one thread at a time, but for the making of pipelines. All calls into Vulkan that fail throw Error(Failure) with
+/// the call's and the result's name.
 class Device {
   public:
     /// Error(NoDevice) when nothing matches, the match is unusable, or there is no loader; it lists what exists.

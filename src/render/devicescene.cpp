@@ -203,8 +203,8 @@ DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed)
 DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, std::shared_ptr<const Layout> shared)
     : layout_(std::move(shared)),
       objects_(makeBuffer(device, gpu::Buffer::Usage::Uniform, layout_->placedObjects(packed), MAX_OBJECTS, "objects")),
-      maps_(makeBuffer(device, gpu::Buffer::Usage::Uniform, layout_->ofObjects(packed), MAX_OBJECTS * MAX_LEVELS,
-                       "maps")),
+      maps_(device, gpu::Buffer::Usage::Uniform, gpu::Buffer::Place::Device,
+            sizeof(layout::MapData) * MAX_OBJECTS * MAX_LEVELS, "maps"),
       lights_(makeBuffer(device, gpu::Buffer::Usage::Uniform, packed.lights, MAX_LIGHTS, "lights")),
       ramps_(makeBuffer(device, gpu::Buffer::Usage::Storage, packed.ramp_points, packed.ramp_points.size(), "ramps")),
       heights_(makeImage(device, gpu::Format::R32Float, layout_->heights, "heights")),

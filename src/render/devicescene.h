@@ -24,7 +24,7 @@ class DeviceScene {
     void updateObjects(const PackedScene& packed);
     /// Uploads the lights again, as many as before.
     void updateLights(const PackedScene& packed);
-    /// Uploads the bounds again: of the same maps under other reliefs, as many as before.
+    /// Uploads bounds and maps again: of the same maps under other reliefs, as many as before.
     void updateReliefs(const PackedScene& packed);
 
     /// Bindings BINDING_OBJECTS to BINDING_NODES, in order.
