@@ -113,7 +113,7 @@ bool Tracer::occluded(const dvec3& origin, const dvec3& direction, double t_max,
 
 dvec3 Tracer::reflectance(int shape, const dvec3& object_position) const {
     const Shape& what = scene_->shapes[std::size_t(shape)];
-    const Texture& texture = what.material.reflectance;
+    const Texture& texture = *textureOf(what.material);
     if (const auto* constant = std::get_if<ConstantColour>(&texture)) return constant->rgb;
     if (const auto* picture = std::get_if<ImageMap>(&texture)) {
         assert(std::size_t(shape) < images_.size() && images_[std::size_t(shape)] && "an image map needs its image");

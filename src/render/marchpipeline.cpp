@@ -27,7 +27,7 @@ std::uint32_t surfacesOf(const DisplacedSphere& sphere) {
 SceneTraits traitsOf(const Scene& scene) {
     SceneTraits traits{std::uint32_t(scene.shapes.size()), std::uint32_t(scene.lights.size()), 0, 0, false};
     for (const Shape& shape : scene.shapes) {
-        traits.images = traits.images || std::holds_alternative<ImageMap>(shape.material.reflectance);
+        traits.images = traits.images || textureAs<ImageMap>(shape.material) != nullptr;
         if (std::holds_alternative<Sphere>(shape.geometry)) traits.kinds |= bit(KIND_SPHERE);
         if (std::holds_alternative<Disk>(shape.geometry)) traits.kinds |= bit(KIND_DISK);
         const auto* displaced = std::get_if<DisplacedSphere>(&shape.geometry);

@@ -129,7 +129,7 @@ void packImages(PackedScene& packed, const Scene& scene, const SceneMaps& maps) 
         packed.image_of_object.push_back(image ? maps.image_of_shape[i] : -1);
         packed.centres.emplace_back();
         if (!image) continue;
-        double scale = std::get<ImageMap>(shape.material.reflectance).scale;
+        double scale = textureAs<ImageMap>(shape.material)->scale.r;
         packed.centres.back() =
             packImage(packed.objects[i], *image, scale, longitudeOriginOf(shape), innerShareOf(shape));
     }
@@ -139,9 +139,9 @@ void packMaterial(ObjectData& object, const Shape& shape, const Relief& relief) 
     object.ramp = -1;
     object.ramp_offset = float(relief.h_offset);
     object.ramp_scale = float(relief.h_scale);
-    if (const auto* constant = std::get_if<ConstantColour>(&shape.material.reflectance))
+    if (const auto* constant = textureAs<ConstantColour>(shape.material))
         object.albedo = narrow(constant->rgb, 1.0);
-    if (const auto* ramp = std::get_if<HeightRamp>(&shape.material.reflectance)) object.ramp = findRamp(ramp->ramp);
+    if (const auto* ramp = textureAs<HeightRamp>(shape.material)) object.ramp = findRamp(ramp->ramp);
 }
 
 int findOrAddRelief(PackedScene& packed, int map, const Relief& relief, Levels levels) {

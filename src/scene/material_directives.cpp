@@ -66,7 +66,7 @@ ImageMap imageMap(Statement s, Parameters& p) {
     p.finish();
     if (!filename) failAt(s.word.where, "Texture \"imagemap\" lacks \"string filename\"");
     if (filename->text.empty()) failAt(filename->where, "the image's name is empty");
-    return {s.source.resolve(filename->text), scale.value_or(1.0), filename->where};
+    return {s.source.resolve(filename->text), dvec3(scale.value_or(1.0)), filename->where};
 }
 
 }  // namespace

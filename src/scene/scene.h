@@ -49,6 +49,27 @@ struct Sampler {
     bool operator==(const Sampler&) const = default;
 };
 
+/// How light is gathered along a camera ray.
+struct Integrator {
+    enum class Kind { DirectLighting, Path };
+
+    Kind kind = Kind::DirectLighting;  ///< of scenes made in code; a scene file's default is Path
+    int max_depth = 5;                 ///< reflections that are followed, 0 or more; directlighting: mirrors alone reflect
+
+    bool operator==(const Integrator&) const = default;
+};
+
+/// How samples about a pixel's centre weigh: a separable kernel, 0 beyond the radius.
+struct PixelFilter {
+    enum class Kind { Box, Gaussian };
+
+    Kind kind = Kind::Box;
+    dvec2 radius{0.5};        ///< in pixels, > 0, at most 8
+    double falloff = 2.0;     ///< Gaussian: exp(-falloff x^2) - exp(-falloff radius^2); pbrt v3's alpha, v4's 1 / (2 sigma^2)
+
+    bool operator==(const PixelFilter&) const = default;
+};
+
 enum class Registration { Texel, Gridline };
 
 /// How heights run between a map's values.
@@ -95,6 +116,15 @@ struct Disk {
     bool operator==(const Disk&) const = default;
 };
 
+/// Flat two-sided triangles, at most 64; a triangle's normal is (p1 - p0) x (p2 - p0).
+struct TriangleMesh {
+    std::vector<dvec3> points;                  ///< object space
+    std::vector<std::array<int, 3>> triangles;  ///< indices of points
+    std::vector<dvec2> uvs;                     ///< one a point, or empty: pbrt's (0,0), (1,0), (1,1) of every triangle
+
+    bool operator==(const TriangleMesh&) const = default;
+};
+
 struct ConstantColour {
     dvec3 rgb{0.5};
 
@@ -104,6 +134,7 @@ struct ConstantColour {
 /// Coloured by the height h of the displaced sphere it is on, h = 0 the ramp's first colour and h = 1 its last.
 struct HeightRamp {
     std::string ramp;  ///< a name of scene/ramps.h
+    dvec3 scale{1.0};  ///< 0 or greater; the product is cut to [0, 1]
 
     bool operator==(const HeightRamp&) const = default;
 };
@@ -112,25 +143,63 @@ struct HeightRamp {
 /// other shapes by pbrt's own (u, v), row 0 at v = 1.
 struct ImageMap {
     std::string path;    ///< resolved against the scene file's folder
-    double scale = 1.0;  ///< 0 or greater; the product is cut to [0, 1]
+    dvec3 scale{1.0};    ///< 0 or greater; the product is cut to [0, 1]
     SourceLocation where;
 
     bool operator==(const ImageMap& other) const { return path == other.path && scale == other.scale; }
 };
 
-using Texture = std::variant<ConstantColour, HeightRamp, ImageMap>;
+/// Two colours by turns: `even` where floor(u_scale u) + floor(v_scale v) is even, (u, v) as the shape has them.
+struct Checkerboard {
+    dvec3 even{1.0}, odd{0.0};  ///< in [0, 1]
+    double u_scale = 1.0, v_scale = 1.0;
 
-/// A Lambertian surface.
+    bool operator==(const Checkerboard&) const = default;
+};
+
+using Texture = std::variant<ConstantColour, HeightRamp, ImageMap, Checkerboard>;
+
+/// Diffuse: Lambert's law, or with sigma > 0 that of Oren and Nayar 1994 in its simple form.
 struct Matte {
     Texture reflectance = ConstantColour{};
+    double sigma = 0.0;  ///< standard deviation of the facets' angle in degrees, 0 to 90
 
     bool operator==(const Matte&) const = default;
 };
 
+/// A rough metal: GGX facets that reflect as Fresnel's equations say, light that bounces between them included.
+struct Conductor {
+    dvec3 eta{0.2004, 0.9240, 1.1022}, k{3.9129, 2.4528, 2.1421};  ///< complex index of refraction, RGB; 0 or greater
+    double alpha = 0.1;                                            ///< GGX's, 0.001 to 1
+
+    bool operator==(const Conductor&) const = default;
+};
+
+struct Mirror {
+    dvec3 reflectance{0.9};  ///< in [0, 1]
+
+    bool operator==(const Mirror&) const = default;
+};
+
+/// pbrt v3's plastic: Lambert's law, and GGX facets of a dielectric with index of refraction 1.5 above it.
+struct Plastic {
+    Texture diffuse = ConstantColour{dvec3(0.25)};
+    dvec3 specular{0.25};  ///< factor of the facets' reflection, in [0, 1]
+    double alpha = 0.1;    ///< GGX's, 0.001 to 1
+
+    bool operator==(const Plastic&) const = default;
+};
+
+using Material = std::variant<Matte, Conductor, Mirror, Plastic>;
+
+/// The colour texture of a material that may vary over its shape; nullptr: the material has none.
+const Texture* textureOf(const Material& material);
+Texture* textureOf(Material& material);
+
 struct Shape {
-    std::variant<DisplacedSphere, Sphere, Disk> geometry;
+    std::variant<DisplacedSphere, Sphere, Disk, TriangleMesh> geometry;
     dmat4 world_from_object{1.0};  ///< invertible
-    Matte material;
+    Material material;
     SourceLocation where;
 };
 
@@ -148,15 +217,46 @@ struct PointLight {
     bool operator==(const PointLight&) const = default;
 };
 
-using Light = std::variant<DistantLight, PointLight>;
+/// Light from everywhere far away: constant, or an equirectangular image of it. A scene has at most one.
+struct InfiniteLight {
+    dvec3 radiance{1.0};             ///< L times scale; multiplies the image
+    std::string map_path;            ///< resolved; empty: constant
+    dmat3 world_from_light{1.0};     ///< a rotation, perhaps mirrored. The image's top is +z; from +x at its left edge it runs
+                                     ///< towards +y
+    SourceLocation where;            ///< of the image's name
+
+    bool operator==(const InfiniteLight& other) const {
+        return radiance == other.radiance && map_path == other.map_path && world_from_light == other.world_from_light;
+    }
+};
+
+/// A sphere or a disk that shines; its transform keeps angles. A sphere shines outward, a disk from its +z side.
+struct AreaLight {
+    int shape = 0;         ///< index in Scene::shapes
+    dvec3 radiance{1.0};   ///< L times scale
+    bool two_sided = false;
+
+    bool operator==(const AreaLight&) const = default;
+};
+
+using Light = std::variant<DistantLight, PointLight, InfiniteLight, AreaLight>;
+
+/// `texture` if it is a T; nullptr if it is another or there is none.
+template <typename T>
+const T* textureAs(const Material& material) {
+    const Texture* texture = textureOf(material);
+    return texture ? std::get_if<T>(texture) : nullptr;
+}
 
 struct Scene {
     std::string name;  ///< the file it came from, or "-"
     Camera camera;
     Film film;
     Sampler sampler;
+    Integrator integrator;
+    PixelFilter pixel_filter;
     std::vector<Shape> shapes;  ///< in the file's order; never empty
-    std::vector<Light> lights;
+    std::vector<Light> lights;  ///< in the file's order
 };
 
 }  // namespace dsphere

@@ -94,7 +94,7 @@ void shape(Statement s) {
         shape.geometry = plainSphere(p);
     else
         shape.geometry = disk(s, p);
-    bool by_height = std::holds_alternative<HeightRamp>(shape.material.reflectance);
+    bool by_height = textureAs<HeightRamp>(shape.material) != nullptr;
     if (by_height && name.text != "displacedsphere")
         failAt(s.word.where, "a heightramp colours by height, which a {} has not; supported on: displacedsphere",
                name.text);

@@ -26,7 +26,7 @@ struct Source {
 /// What AttributeBegin saves; TransformBegin saves the transform alone.
 struct Attributes {
     dmat4 ctm{1.0};
-    Matte material;
+    Material material;
 };
 
 struct OpenBlock {
@@ -43,7 +43,7 @@ struct ParseState {
     Attributes attributes;
     std::vector<OpenBlock> blocks;
     std::map<std::string, SourceLocation, std::less<>> given;  ///< directives that may stand only once
-    std::map<std::string, Matte, std::less<>> materials;       ///< by name
+    std::map<std::string, Material, std::less<>> materials;    ///< by name
     std::map<std::string, Texture, std::less<>> textures;      ///< by name
     int includes = 0;                                          ///< Include directives met so far
 };

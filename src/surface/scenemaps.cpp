@@ -32,7 +32,7 @@ auto loadAt(const SourceLocation& where, Load load) {
 
 void loadImages(SceneMaps& result, const Scene& scene) {
     for (const Shape& shape : scene.shapes) {
-        const auto* texture = std::get_if<ImageMap>(&shape.material.reflectance);
+        const auto* texture = textureAs<ImageMap>(shape.material);
         result.image_of_shape.push_back(-1);
         if (!texture) continue;
         const auto found =

@@ -242,8 +242,8 @@ void Comparison::checkColour(Report& report, std::uint64_t index, const Answer& 
             full += std::get<DistantLight>(source).radiance;
     }
     dvec3 reflectance = tracer_.reflectance(answer.shape, answer.object_position);
-    const Texture& texture = scene_.shapes[std::size_t(answer.shape)].material.reflectance;
-    dvec3 spread = std::holds_alternative<HeightRamp>(texture) ? reflectanceSpread(answer) : dvec3(0.0);
+    const bool by_height = textureAs<HeightRamp>(scene_.shapes[std::size_t(answer.shape)].material) != nullptr;
+    dvec3 spread = by_height ? reflectanceSpread(answer) : dvec3(0.0);
     ++report.colours;
     double worst = 0.0;
     for (int c = 0; c < 3; ++c) {

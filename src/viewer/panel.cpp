@@ -76,7 +76,7 @@ void materialSection(Ui& ui) {
         if (ui.displaced)
             for (const Ramp& ramp : ramps()) {
                 std::string name(ramp.name);
-                if (ImGui::Selectable(name.c_str(), name == current)) ui.material = HeightRamp{name};
+                if (ImGui::Selectable(name.c_str(), name == current)) ui.material = HeightRamp{.ramp = name};
             }
         if (ui.image && ImGui::Selectable("image", current == "image")) ui.material = *ui.image;
         ImGui::EndCombo();

@@ -95,7 +95,7 @@ std::string geometryText(const Shape& shape, const std::filesystem::path& folder
 
 std::string shapeText(const Shape& shape, std::size_t index, const std::filesystem::path& folder) {
     std::string text = "AttributeBegin\n";
-    const Texture& texture = shape.material.reflectance;
+    const Texture& texture = *textureOf(shape.material);
     if (const auto* constant = std::get_if<ConstantColour>(&texture)) {
         text += fmt::format("Material \"matte\" \"rgb Kd\" {}\n", triple(constant->rgb));
     } else {
@@ -105,7 +105,7 @@ std::string shapeText(const Shape& shape, std::size_t index, const std::filesyst
         if (const auto* image = std::get_if<ImageMap>(&texture))
             text +=
                 fmt::format("Texture \"kd{}\" \"spectrum\" \"imagemap\" \"string filename\" {} \"float scale\" {}\n",
-                            index, relativeTo(folder, image->path), number(image->scale));
+                            index, relativeTo(folder, image->path), number(image->scale.r));
         text += fmt::format("Material \"matte\" \"texture Kd\" \"kd{}\"\n", index);
     }
     return text + transformText(shape.world_from_object) + geometryText(shape, folder) + "AttributeEnd\n";

@@ -45,7 +45,7 @@ void App::changeLook(bool moving) {
 
 void App::applyMaterial(const Texture& material) {
     Document& document = stage_->document();
-    Texture& present = document.scene.shapes[Globe::shapeOf(document.scene)].material.reflectance;
+    Texture& present = *textureOf(document.scene.shapes[Globe::shapeOf(document.scene)].material);
     bool images = std::holds_alternative<ImageMap>(material) || std::holds_alternative<ImageMap>(present);
     if (!images) {
         present = material;
@@ -53,7 +53,7 @@ void App::applyMaterial(const Texture& material) {
         return;
     }
     wanted_scene_ = std::make_unique<Scene>(document.scene);
-    wanted_scene_->shapes[Globe::shapeOf(document.scene)].material.reflectance = material;
+    *textureOf(wanted_scene_->shapes[Globe::shapeOf(document.scene)].material) = material;
 }
 
 std::string App::hoverText() {
@@ -102,9 +102,9 @@ void App::fillUi() {
     const auto* globe = std::get_if<DisplacedSphere>(&shape.geometry);
     ui_.displaced = globe != nullptr;
     ui_.ripples = globe && globe->ripples;
-    ui_.material = shape.material.reflectance;
+    ui_.material = *textureOf(shape.material);
     ui_.sun = sunAngles();
-    const Texture& original = document.original.shapes[Globe::shapeOf(document.original)].material.reflectance;
+    const Texture& original = *textureOf(document.original.shapes[Globe::shapeOf(document.original)].material);
     ui_.image.reset();
     if (const auto* image = std::get_if<ImageMap>(&original)) ui_.image = *image;
 }
@@ -122,7 +122,7 @@ void App::applyUi() {
     if (view_.method.detail > 0.0f) wanted_tuning_.levels = Levels::All;
     if (ui_.sun && !(*ui_.sun == *sunAngles())) setSun(*ui_.sun);
     const Document& document = stage_->document();
-    if (!(ui_.material == document.scene.shapes[Globe::shapeOf(document.scene)].material.reflectance))
+    if (!(ui_.material == *textureOf(document.scene.shapes[Globe::shapeOf(document.scene)].material)))
         applyMaterial(ui_.material);
     if (command != Command::None) runCommand(command);
 }

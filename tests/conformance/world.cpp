@@ -36,7 +36,7 @@ int World::addMap(RawMap raw, const DisplacedSphere& sphere) {
 }
 
 void World::addSphere(const DisplacedSphere& sphere, int map, const dmat4& world_from_object) {
-    scene.shapes.push_back({asTested(sphere), world_from_object, {HeightRamp{"viridis"}}, {scene.name}});
+    scene.shapes.push_back({asTested(sphere), world_from_object, Matte{HeightRamp{.ramp = "viridis"}}, {scene.name}});
     maps.map_of_shape.push_back(map);
     maps.reliefs.push_back(makeRelief(asTested(sphere), *maps.maps[std::size_t(map)], {scene.name}));
 }

@@ -111,7 +111,7 @@ TEST(Tracer, Occlusion) {
 TEST(Tracer, LambertUnderSunAndLamp) {
     Scene scene;
     scene.shapes.push_back(shape(Sphere{1.0}, glm::scale(kOne, dvec3(2.0))));
-    scene.shapes[0].material.reflectance = ConstantColour{{0.5, 0.25, 1.0}};
+    *textureOf(scene.shapes[0].material) = ConstantColour{{0.5, 0.25, 1.0}};
     scene.lights.push_back(DistantLight{.direction = {0.0, 0.6, 0.8}, .radiance = {3.0, 3.0, 6.0}});
     scene.lights.push_back(PointLight{.position = {0.0, 0.0, 5.0}, .intensity = {9.0, 18.0, 9.0}});
     scene.lights.push_back(DistantLight{.direction = {0.0, 0.0, -1.0}, .radiance = dvec3(100.0)});
@@ -136,7 +136,7 @@ TEST(Tracer, HeightRampColoursByHeight) {
     relief.h_offset = 0.0625;
     Scene scene;
     scene.shapes.push_back(shape(DisplacedSphere{}, kOne));
-    scene.shapes[0].material.reflectance = HeightRamp{std::string(ramp.name)};
+    *textureOf(scene.shapes[0].material) = HeightRamp{.ramp = std::string(ramp.name)};
     const Tracer tracer(scene, {&map}, {relief});
     // Texel 4 is centred at longitude 22.5 degrees: h = 4000 / 8000 + 1/16.
     const double longitude = kPi / 8;

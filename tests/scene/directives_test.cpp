@@ -34,7 +34,7 @@ Kind onlyLight(const std::string& light) {
 
 dvec3 sphereColour(const std::string& world) {
     Scene scene = parseParts("", world);
-    return std::get<ConstantColour>(scene.shapes.back().material.reflectance).rgb;
+    return textureAs<ConstantColour>(scene.shapes.back().material)->rgb;
 }
 
 TEST(Directives, DefaultsOfAnEmptyScene) {
@@ -48,7 +48,7 @@ TEST(Directives, DefaultsOfAnEmptyScene) {
     ASSERT_EQ(scene.shapes.size(), 1u);
     EXPECT_EQ(std::get<Sphere>(scene.shapes[0].geometry).radius, 1.0);
     EXPECT_EQ(scene.shapes[0].world_from_object, dmat4(1.0));
-    EXPECT_EQ(scene.shapes[0].material, Matte{ConstantColour{dvec3(0.5)}});
+    EXPECT_EQ(scene.shapes[0].material, Material{Matte{ConstantColour{dvec3(0.5)}}});
     EXPECT_EQ(scene.shapes[0].where.text(), "test.pbrt:1:12");
 }
 
@@ -100,24 +100,24 @@ TEST(Directives, Textures) {
     for (std::string ramp : {"terrain", "viridis", "geoid", "grey"}) {
         Scene scene = parse("WorldBegin Texture \"h\" \"spectrum\" \"heightramp\" \"string ramp\" \"" + ramp +
                             "\" Material \"matte\" \"texture Kd\" \"h\" Shape \"displacedsphere\"");
-        EXPECT_EQ(scene.shapes[0].material, Matte{HeightRamp{ramp}});
+        EXPECT_EQ(scene.shapes[0].material, Material{Matte{HeightRamp{.ramp = ramp}}});
     }
     Scene scene = parse(
         "WorldBegin Texture \"h\" \"color\" \"heightramp\" Material \"matte\" \"texture Kd\" \"h\" "
         "Shape \"displacedsphere\"");
-    EXPECT_EQ(scene.shapes[0].material, Matte{HeightRamp{"terrain"}});
+    EXPECT_EQ(scene.shapes[0].material, Material{Matte{HeightRamp{.ramp = "terrain"}}});
 }
 
 TEST(Directives, ImageMaps) {
     const auto texture = [](const std::string& parameters) {
         Scene scene = parse("WorldBegin Texture \"t\" \"spectrum\" \"imagemap\" " + parameters +
                             " Material \"diffuse\" \"texture reflectance\" \"t\" Shape \"sphere\"");
-        return std::get<ImageMap>(scene.shapes[0].material.reflectance);
+        return *textureAs<ImageMap>(scene.shapes[0].material);
     };
-    EXPECT_EQ(texture("\"string filename\" \"a.png\""), (ImageMap{"folder/a.png", 1.0, {}}));
+    EXPECT_EQ(texture("\"string filename\" \"a.png\""), (ImageMap{"folder/a.png", dvec3(1.0), {}}));
     EXPECT_EQ(texture("\"string filename\" \"a.png\"").where.text(), "test.pbrt:1:64");
     EXPECT_EQ(texture("\"string filename\" \"/b.jpg\" \"float scale\" 2.5 \"string wrap\" \"repeat\""),
-              (ImageMap{"/b.jpg", 2.5, {}}));
+              (ImageMap{"/b.jpg", dvec3(2.5), {}}));
 }
 
 TEST(Directives, NamedMaterials) {
@@ -127,9 +127,9 @@ TEST(Directives, NamedMaterials) {
         Shape "sphere" NamedMaterial "red" Shape "sphere"
         AttributeBegin NamedMaterial "blue" Shape "sphere" AttributeEnd Shape "sphere")");
     ASSERT_EQ(scene.shapes.size(), 4u);
-    EXPECT_EQ(scene.shapes[0].material, Matte{});
-    EXPECT_EQ(scene.shapes[1].material, Matte{ConstantColour{dvec3(1, 0, 0)}});
-    EXPECT_EQ(scene.shapes[2].material, Matte{ConstantColour{dvec3(0, 0, 1)}});
+    EXPECT_EQ(scene.shapes[0].material, Material{Matte{}});
+    EXPECT_EQ(scene.shapes[1].material, Material{Matte{ConstantColour{dvec3(1, 0, 0)}}});
+    EXPECT_EQ(scene.shapes[2].material, Material{Matte{ConstantColour{dvec3(0, 0, 1)}}});
     EXPECT_EQ(scene.shapes[3].material, scene.shapes[1].material) << "AttributeEnd restores the material";
 }
 

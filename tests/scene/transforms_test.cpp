@@ -69,7 +69,7 @@ TEST(Transforms, BlocksRestoreThem) {
 
 TEST(Transforms, TransformEndKeepsTheMaterial) {
     Scene scene = parseParts("", "TransformBegin Material \"matte\" \"rgb Kd\" [1 0 0] TransformEnd");
-    EXPECT_EQ(scene.shapes.back().material, Matte{ConstantColour{dvec3(1, 0, 0)}});
+    EXPECT_EQ(scene.shapes.back().material, Material{Matte{ConstantColour{dvec3(1, 0, 0)}}});
 }
 
 TEST(Transforms, UnitVectorOfAnyMagnitude) {
