@@ -22,7 +22,7 @@ void expectSound(const Scene& scene) {
     EXPECT_GE(scene.sampler.pixel_samples, 1);
     for (const Shape& shape : scene.shapes) {
         EXPECT_TRUE(isFinite(shape.world_from_object) && isFinite(glm::inverse(shape.world_from_object)));
-        auto* constant = std::get_if<ConstantColour>(&shape.material.reflectance);
+        const auto* constant = textureAs<ConstantColour>(shape.material);
         EXPECT_TRUE(!constant || isFraction(constant->rgb));
     }
     for (const Light& light : scene.lights) {
