@@ -103,8 +103,24 @@ vec3 imageColour(ObjectData o, vec3 p) {
     real weight = abs(row.beyond);
     vec3 colour = in_cap ? inCap(o, row, own, q)
                          : (real(1) - weight) * own + weight * alongRow(o, column, neighbour(row, o.image_height));
-    return clamp(real(o.image_scale) * colour, vec3(real(0)), vec3(real(1)));
+    return clamp(vec3(o.texture_scale) * colour, vec3(real(0)), vec3(real(1)));
 }
+
+#ifdef WITH_PATHS
+// At texture coordinates, which repeat; (0, 0) is the image's lower left corner.
+vec3 imageColourAt(ObjectData o, vec2 uv) {
+    vec2 texel = vec2(uv.x - floor(uv.x), real(1) - (uv.y - floor(uv.y))) * vec2(o.image_width, o.image_height) - real(0.5);
+    vec2 corner = floor(texel);
+    vec2 t = texel - corner;
+    int x0 = int(corner.x) < 0 ? o.image_width - 1 : int(corner.x);
+    int y0 = int(corner.y) < 0 ? o.image_height - 1 : int(corner.y);
+    int x1 = x0 + 1 == o.image_width ? 0 : x0 + 1;
+    int y1 = y0 + 1 == o.image_height ? 0 : y0 + 1;
+    vec3 colour = mix(mix(imageTexel(o, x0, y0), imageTexel(o, x1, y0), t.x),
+                      mix(imageTexel(o, x0, y1), imageTexel(o, x1, y1), t.x), t.y);
+    return clamp(vec3(o.texture_scale) * colour, vec3(real(0)), vec3(real(1)));
+}
+#endif
 
 // (u, v): a displaced sphere's as its heights have them, others' as pbrt has them.
 vec2 surfaceUv(ObjectData o, vec3 p) {

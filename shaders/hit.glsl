@@ -8,6 +8,9 @@ struct ObjectHit {
 #ifdef WITH_CURVED
     vec3 shading_n;  // n, or the normal of a smoother surface
 #endif
+#ifdef WITH_PATHS
+    vec2 uv;       // of a mesh
+#endif
     real stored;   // the map's value
     real residual; // f(p)
 };
@@ -23,6 +26,9 @@ ObjectHit noHit() {
     hit.n = vec3(real(0));
 #ifdef WITH_CURVED
     hit.shading_n = vec3(real(0));
+#endif
+#ifdef WITH_PATHS
+    hit.uv = vec2(real(0));
 #endif
     hit.stored = real(0);
     hit.residual = real(0);

@@ -21,16 +21,19 @@ using uint = std::uint32_t;
 #define BINDING_MAPS 1     // MAX_OBJECTS a level of detail, one an object in the same order: a looked-up index would not
                            // count as uniform
 #define BINDING_LIGHTS 2
-#define BINDING_RAMPS 3
-#define BINDING_HEIGHTS 4  // r32f array: stored map values, pole rows included
-#define BINDING_BOUNDS 5   // r32f array: squared radii, the cube-map pyramids
-#define BINDING_EDGES 6    // rgba32f: sine and cosine of each cell's west (north) edge, then what their rounding left;
+#define BINDING_MATERIALS 3
+#define BINDING_TRIANGLES 4
+#define BINDING_RAMPS 5
+#define BINDING_TABLES 6   // floats: what WITH_PATHS looks up (PathTables of the host)
+#define BINDING_HEIGHTS 7  // r32f array: stored map values, pole rows included
+#define BINDING_BOUNDS 8   // r32f array: squared radii, the cube-map pyramids
+#define BINDING_EDGES 9    // rgba32f: sine and cosine of each cell's west (north) edge, then what their rounding left;
                            // the same of the centres of images' texels (disk: their distances)
-#define BINDING_IMAGES 7   // r32ui array: the colour images' texels
-#define BINDING_NODES 8    // rgba32f array: a spline's value, slopes east and south, and twist at the nodes
-#define BINDING_FILM 9     // r32ui array: one layer a plane (probe.comp: the rays)
-#define BINDING_HITS 10    // probe.comp: the answers
-#define BINDING_RETRY 10   // render.comp: the pixels that FILTER leaves to FULL
+#define BINDING_IMAGES 10  // r32ui array: the colour images' texels
+#define BINDING_NODES 11   // rgba32f array: a spline's value, slopes east and south, and twist at the nodes
+#define BINDING_FILM 12    // r32ui array: one layer a plane (probe.comp: the rays)
+#define BINDING_HITS 13   // probe.comp: the answers
+#define BINDING_RETRY 13   // render.comp: the pixels that FILTER leaves to FULL
 
 #define SPEC_MARCHER 0
 #define SPEC_OBJECT_COUNT 1
@@ -42,7 +45,17 @@ using uint = std::uint32_t;
 #define SPEC_STRIDE 7     // float; lipschitz: the share of |p| - r that no step exceeds
 #define SPEC_DETAIL 8     // float; exact: pixels that a level of detail may be off, 0: none is used
 #define SPEC_SURFACES 9   // bit per SURFACE_ that the scene holds; read by the variants WITH_CURVED alone
-#define SPEC_COUNT 10
+// Read by the variants WITH_PATHS alone.
+#define SPEC_MATERIALS 10     // bit per MATERIAL_ that the scene holds
+#define SPEC_LIGHT_KINDS 11   // bit per LIGHT_ that the scene holds
+#define SPEC_CHECKERBOARDS 12 // 1 if an object has one
+#define SPEC_MAX_DEPTH 13     // reflections that are followed
+#define SPEC_DIFFUSE_PATHS 14 // 1: every material reflects (path); 0: mirrors alone do (directlighting)
+#define SPEC_CLAMP 15         // float; the most that a channel of a sample may hold, 0: no limit
+#define SPEC_GAUSSIAN 16      // 1: the pixel filter is the Gaussian of the tables; 0: a box
+#define SPEC_RADIUS_X 17      // float, of the pixel filter
+#define SPEC_RADIUS_Y 18
+#define SPEC_COUNT 19
 
 #define MARCHER_EXACT 0
 #define MARCHER_NAIVE 1        // the seed's: from the camera
@@ -60,6 +73,20 @@ using uint = std::uint32_t;
 #define KIND_DISPLACED 0
 #define KIND_SPHERE 1
 #define KIND_DISK 2
+#define KIND_MESH 3  // WITH_PATHS alone
+
+#define MATERIAL_MATTE 0
+#define MATERIAL_CONDUCTOR 1
+#define MATERIAL_MIRROR 2
+#define MATERIAL_PLASTIC 3
+
+// The variants without WITH_PATHS know the first two alone.
+#define LIGHT_DISTANT 0
+#define LIGHT_POINT 1
+#define LIGHT_INFINITE 2
+#define LIGHT_IMAGE 3  // infinite, with an image
+#define LIGHT_SPHERE 4
+#define LIGHT_DISK 5
 
 // What a displaced sphere's heights are between the nodes. The shader variants without WITH_CURVED know the first alone.
 #define SURFACE_BILINEAR 0
@@ -113,6 +140,10 @@ using uint = std::uint32_t;
 
 #define MAX_OBJECTS 64
 #define MAX_LIGHTS 32
+#define MAX_DEPTH 64
+#define FILTER_INTERVALS 256  // of the Gaussian's inverse distribution, x then y, where the tables begin
+#define LOSS_INTERVALS 128    // of a conductor's loss over the root of the cosine; one value more at either end
+#define MAX_TRIANGLES 512  // of all meshes together
 #define MAX_LEVELS 8    // of detail; level 0 is the map
 #define RAMP_POINTS 17  // control points of a colour ramp, at equal distances
 
@@ -141,14 +172,48 @@ struct ObjectData {
     int image_y, image_layer;                    // where texel row 0 lies in the images
     int image_centres_y;                         // row of `edges` for the texel columns' centres; the next: the rows'
     float image_shift;                           // turns from a longitude of 0 back to the image's left edge
-    float image_scale;
     float pixel_size, pixel_growth;  // a pixel spans size + growth * distance from the ray's start at least, units of R
-    float pad0, pad1;
+    int first_triangle, triangle_count;  // KIND_MESH
+    float pad0;
+    vec4 texture_scale;  // rgb: factor of the ramp's or the image's colour
 };
 
 struct LightData {
     vec4 position;  // w = 0: unit direction towards the light; w = 1: world, seen from object 0's centre
-    vec4 radiance;  // rgb: irradiance (distant) or intensity (point)
+    vec4 radiance;  // rgb: irradiance (distant), intensity (point), radiance (others)
+    // WITH_PATHS alone reads the rest. LIGHT_DISK: world vectors as long as its radius along its own x and y, and its
+    // unit normal. LIGHT_IMAGE: the rows of world -> light.
+    vec4 x_axis, y_axis, z_axis;
+    int kind, object;      // LIGHT_; the object that shines, -1: none
+    float share, shares;   // its chance to be drawn at a path's later vertices, and those of all before it and it
+    float inner_squared;   // LIGHT_DISK: the squared share of the inner radius
+    float measure;         // LIGHT_SPHERE: its radius; LIGHT_DISK: its area
+    int two_sided;
+    // LIGHT_IMAGE: size, place in the images, and in the tables: the rows' distribution, height + 1 values; after it
+    // each row's own, width + 1 values.
+    int width, height, image_y, image_layer, image;
+    int table, pad0, pad1, pad2;
+};
+
+// WITH_PATHS alone.
+struct MaterialData {
+    vec4 odd;              // checkerboard: rgb where the sum of the cells is odd; ObjectData::albedo is the other colour
+    vec4 specular;         // mirror: rgb reflectance; plastic: rgb factor of the facets
+    vec4 eta, k;           // conductor
+    vec4 bounced;          // conductor: rgb F_ms / (pi (1 - E_mean)), see docs/light.md
+    int kind;              // MATERIAL_
+    int checkerboard;      // 1: there is one
+    float u_scale, v_scale;
+    float alpha;           // GGX
+    float rough_a, rough_b;  // matte: Oren and Nayar's A and B
+    int table;             // conductor: of its loss 1 - E in the tables
+    int pad0, pad1, pad2, pad3;
+};
+
+// A triangle, units of R of its object. Corners that triangles share have the same bits.
+struct TriangleData {
+    vec4 a, b, c;  // corners; w: their texture coordinate u
+    vec4 v;        // xyz: those corners' v
 };
 
 struct MapData {
@@ -200,8 +265,10 @@ struct ProbeHit {
 #ifdef __cplusplus
 static_assert(sizeof(ProbeRay) == 80);
 static_assert(sizeof(ProbeHit) == 48);
-static_assert(sizeof(ObjectData) == 25 * 16 + 24 * 4);
-static_assert(sizeof(LightData) == 32);
+static_assert(sizeof(ObjectData) == 26 * 16 + 24 * 4);
+static_assert(sizeof(LightData) == 5 * 16 + 16 * 4);
+static_assert(sizeof(MaterialData) == 5 * 16 + 12 * 4);
+static_assert(sizeof(TriangleData) == 64);
 static_assert(sizeof(MapData) == 32 * 4);
 static_assert(sizeof(RenderParams) == 32);
 static_assert(sizeof(RetryHead) == 16);

@@ -191,11 +191,18 @@ bool sceneHas(int kind) {
     return (kKinds & (1 << kind)) != 0;
 }
 
+#ifdef WITH_PATHS
+#include "mesh.glsl"
+#endif
+
 ObjectHit hitObject(ObjectData object, MapData map, Ray ray) {
     ObjectHit hit = noHit();
     if (sceneHas(KIND_DISPLACED) && object.kind == KIND_DISPLACED) hit = hitDisplaced(object, map, ray);
     if (sceneHas(KIND_SPHERE) && object.kind == KIND_SPHERE) hit = hitUnitSphere(ray);
     if (sceneHas(KIND_DISK) && object.kind == KIND_DISK) hit = hitRing(object, ray);
+#ifdef WITH_PATHS
+    if (sceneHas(KIND_MESH) && object.kind == KIND_MESH) hit = hitMesh(object, ray);
+#endif
 #ifdef WITH_CURVED
     if (object.kind != KIND_DISPLACED) hit.shading_n = hit.n;
 #endif
@@ -221,5 +228,8 @@ bool blocks(ObjectData object, MapData map, Ray ray, INOUT(bool) doubtful) {
         blocked = displacedBlocks(object, map, ray, doubtful);
     if (sceneHas(KIND_SPHERE) && object.kind == KIND_SPHERE) blocked = hitUnitSphere(ray).hit;
     if (sceneHas(KIND_DISK) && object.kind == KIND_DISK) blocked = hitRing(object, ray).hit;
+#ifdef WITH_PATHS
+    if (sceneHas(KIND_MESH) && object.kind == KIND_MESH) blocked = hitMesh(object, ray).hit;
+#endif
     return blocked;
 }

@@ -3,8 +3,21 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "resources.glsl"
+
+const uint kColourPlanes = 7u << PLANE_R;
+const bool kWantsLight = (kPlanes & (kColourPlanes | 7u << PLANE_ALBEDO_R | 1u << PLANE_LIT)) != 0u;
+
 #include "sample.glsl"
 #include "shade.glsl"
+#ifdef WITH_PATHS
+#include "basis.glsl"
+#include "microfacet.glsl"
+#include "material.glsl"
+#include "light.glsl"
+#include "path.glsl"
+#else
+#include "lambert.glsl"
+#endif
 
 layout(local_size_x = GROUP_SIZE_X, local_size_y = GROUP_SIZE_Y) in;
 layout(binding = BINDING_FILM, r32ui) uniform uimage2DArray film;
@@ -13,8 +26,6 @@ layout(std430, binding = BINDING_RETRY) buffer Retry {
     uint retry_pixels[];
 };
 layout(push_constant) uniform Params { RenderParams params; };
-
-const uint kColourPlanes = 7u << PLANE_R;
 
 bool wants(int plane) {
     return (kPlanes & (1u << plane)) != 0u;
@@ -48,7 +59,7 @@ void putGeometry(ivec2 pixel, SurfacePoint point) {
     put(pixel, PLANE_NX, point.hit ? point.normal : nothing);
     put(pixel, PLANE_NSX, point.hit ? shadingNormal(point) : nothing);
     if (wants(PLANE_U) || wants(PLANE_V)) {
-        vec2 uv = point.hit ? surfaceUv(objects[point.object], p) : vec2(0.0);
+        vec2 uv = point.hit ? pointUv(point) : vec2(0.0);
         put(pixel, PLANE_U, uv.x);
         put(pixel, PLANE_V, uv.y);
     }
@@ -78,31 +89,55 @@ bool findPixel(out ivec2 pixel) {
 #endif
 }
 
-// Film planes of a pixel whose ray, or one of its shadow rays, is in doubt are left to the other precision.
-void shade(ivec2 pixel) {
-    ivec2 raster = pixel + ivec2(params.film_x, params.film_y);
-    bool centre = params.sample_index < 0;
-    vec2 jitter = centre ? vec2(0.0) : samplePosition(raster.x, raster.y, params.sample_index, params.seed);
-    SurfacePoint point = nearestHit(vec2(raster), jitter);
-    bool doubtful = point.doubtful;
-    bool wants_light = (kPlanes & (kColourPlanes | (7u << PLANE_ALBEDO_R) | (1u << PLANE_LIT))) != 0u;
-    vec3 albedo = vec3(0.0);
-    vec3 colour = vec3(0.0);
-    uint lit = 0u;
-    if (wants_light && point.hit && !doubtful) {
-        albedo = albedoOf(point);
-        lit = params.sample_index < -1 ? ~0u : visibleLights(point, doubtful);
-        colour = directLight(point, albedo, lit);
+#ifdef WITH_PATHS
+Gathered gatherSample(ivec2 raster) {
+    Rules rules;
+    rules.centre = params.sample_index < 0;
+    rules.shadowed = params.sample_index >= -1;
+    Numbers numbers;
+    numbers.key = pixelKey(raster.x, raster.y, params.seed);
+    numbers.index = max(params.sample_index, 0);
+    vec2 jitter = rules.centre ? vec2(0.0) : filterPlace(numbersAt(numbers, 0, 0u));
+    return gather(cameraSegment(vec2(raster), jitter), numbers, rules);
+}
+#else
+struct Gathered {
+    SurfacePoint point;
+    vec3 albedo, colour;
+    uint lit;
+    bool doubtful;
+};
+
+Gathered gatherSample(ivec2 raster) {
+    Gathered result;
+    vec2 jitter = vec2(0.0);
+    if (params.sample_index >= 0) jitter = samplePosition(raster.x, raster.y, params.sample_index, params.seed);
+    result.point = nearestHit(cameraSegment(vec2(raster), jitter));
+    result.doubtful = result.point.doubtful;
+    result.albedo = vec3(0.0);
+    result.colour = vec3(0.0);
+    result.lit = 0u;
+    if (kWantsLight && result.point.hit && !result.doubtful) {
+        result.albedo = albedoOf(result.point);
+        result.lit = params.sample_index < -1 ? ~0u : visibleLights(result.point, result.doubtful);
+        result.colour = directLight(result.point, result.albedo, result.lit);
     }
-    if (doubtful) {
+    return result;
+}
+#endif
+
+// Film planes of a pixel whose ray, or another that it needs, is in doubt are left to the other precision.
+void shade(ivec2 pixel) {
+    Gathered gathered = gatherSample(pixel + ivec2(params.film_x, params.film_y));
+    if (gathered.doubtful) {
         retry_pixels[atomicAdd(retry.count, 1u)] = uint(pixel.x) | uint(pixel.y) << 16;
         return;
     }
-    putGeometry(pixel, point);
-    put(pixel, PLANE_ALBEDO_R, albedo);
-    put(pixel, PLANE_LIT, lit);
+    putGeometry(pixel, gathered.point);
+    put(pixel, PLANE_ALBEDO_R, gathered.albedo);
+    put(pixel, PLANE_LIT, gathered.lit);
     if ((kPlanes & kColourPlanes) != 0u)
-        put(pixel, PLANE_R, params.sample_index > 0 ? storedColour(pixel) + colour : colour);
+        put(pixel, PLANE_R, params.sample_index > 0 ? storedColour(pixel) + gathered.colour : gathered.colour);
 }
 
 void main() {

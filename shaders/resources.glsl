@@ -13,6 +13,17 @@ layout(constant_id = SPEC_IMAGES) const int kImages = 0;
 #ifdef WITH_CURVED
 layout(constant_id = SPEC_SURFACES) const int kSurfaces = 1;
 #endif
+#ifdef WITH_PATHS
+layout(constant_id = SPEC_MATERIALS) const int kMaterials = 1;
+layout(constant_id = SPEC_LIGHT_KINDS) const int kLightKinds = 1;
+layout(constant_id = SPEC_CHECKERBOARDS) const int kCheckerboards = 0;
+layout(constant_id = SPEC_MAX_DEPTH) const int kMaxDepth = 5;
+layout(constant_id = SPEC_DIFFUSE_PATHS) const int kDiffusePaths = 0;
+layout(constant_id = SPEC_CLAMP) const float kClamp = 0.0;
+layout(constant_id = SPEC_GAUSSIAN) const int kGaussian = 0;
+layout(constant_id = SPEC_RADIUS_X) const float kRadiusX = 0.5;
+layout(constant_id = SPEC_RADIUS_Y) const float kRadiusY = 0.5;
+#endif
 layout(constant_id = SPEC_THRESHOLD) const float kThreshold = 3e-6;
 layout(constant_id = SPEC_STRIDE) const float kStride = 1.0;
 layout(constant_id = SPEC_DETAIL) const float kDetail = 0.0;
@@ -20,6 +31,11 @@ layout(constant_id = SPEC_DETAIL) const float kDetail = 0.0;
 layout(std140, binding = BINDING_OBJECTS) uniform Objects { ObjectData objects[MAX_OBJECTS]; };
 layout(std140, binding = BINDING_MAPS) uniform Maps { MapData maps[MAX_OBJECTS * MAX_LEVELS]; };
 layout(std140, binding = BINDING_LIGHTS) uniform Lights { LightData lights[MAX_LIGHTS]; };
+#ifdef WITH_PATHS
+layout(std140, binding = BINDING_MATERIALS) uniform Materials { MaterialData materials[MAX_OBJECTS]; };
+layout(std140, binding = BINDING_TRIANGLES) uniform Triangles { TriangleData triangles[MAX_TRIANGLES]; };
+layout(std430, binding = BINDING_TABLES) readonly buffer Tables { float tables[]; };
+#endif
 layout(std430, binding = BINDING_RAMPS) readonly buffer Ramps { vec4 ramp_points[]; };
 layout(binding = BINDING_HEIGHTS, r32f) readonly uniform image2DArray heights;
 layout(binding = BINDING_BOUNDS, r32f) readonly uniform image2DArray bounds;
@@ -68,16 +84,18 @@ float imageFloat(int x, int y, int layer) {
     return uintBitsToFloat(imageWord(x, y, layer));
 }
 
-// The light of a texel: the only place that knows how images lie on the device.
-vec3 imageTexel(ObjectData o, int column, int row) {
-    int y = o.image_y + row;
-    if (o.image == IMAGE_CODES) {
-        uint codes = imageWord(column, y, o.image_layer);
+// The light of a texel at (x, y) of a layer: the only place that knows how images of `height` rows lie on the device.
+vec3 placedTexel(int image, int x, int y, int layer, int height) {
+    if (image == IMAGE_CODES) {
+        uint codes = imageWord(x, y, layer);
         return vec3(imageFloat(int(codes & 255u), 0, 0), imageFloat(int(codes >> 8 & 255u), 0, 0),
                     imageFloat(int(codes >> 16), 0, 0));
     }
-    return vec3(imageFloat(column, y, o.image_layer), imageFloat(column, y + o.image_height, o.image_layer),
-                imageFloat(column, y + 2 * o.image_height, o.image_layer));
+    return vec3(imageFloat(x, y, layer), imageFloat(x, y + height, layer), imageFloat(x, y + 2 * height, layer));
+}
+
+vec3 imageTexel(ObjectData o, int column, int row) {
+    return placedTexel(o.image, column, o.image_y + row, o.image_layer, o.image_height);
 }
 
 // The leading 12 bits of x; a product of two such values is exact.

@@ -1,5 +1,5 @@
-// Sample positions inside a pixel: the R2 sequence (Roberts 2018, additive recurrence by the plastic number), shifted by
-// a hash of pixel and seed, so that neighbouring pixels do not share a pattern.
+// The sample numbers of a pixel: Owen-scrambled Sobol points, one two-dimensional sequence a decision (Burley 2020,
+// "Practical hash-based Owen scrambling"); docs/light.md has them word by word. Words wrap, so all is exact everywhere.
 
 uint hashWord(uint x) {  // lowbias32, Wellons 2018
     x ^= x >> 16;
@@ -10,11 +10,45 @@ uint hashWord(uint x) {  // lowbias32, Wellons 2018
     return x;
 }
 
-// In [-0.5, 0.5) about the pixel's centre. Words wrap, so the sequence stays exact at any index.
+// A nested uniform scramble of the bits, lowest first (Laine and Karras 2011; the constants are Vegdahl's, 2021).
+uint permuteWord(uint x, uint key) {
+    x ^= x * 0x3d20adeau;
+    x += key;
+    x *= (key >> 16) | 1u;
+    x ^= x * 0x05526c56u;
+    x ^= x * 0x53a22864u;
+    return x;
+}
+
+// Sobol's second dimension, lowest bit first. Its k-th direction number is the polynomial (1 + x)^k over GF(2), so the
+// index, as a polynomial, is shifted by 1: half by half, since (1 + x)^m = 1 + x^m where m is a power of 2.
+uint sobolWord(uint index) {
+    index ^= (index >> 16) & 0x0000ffffu;
+    index ^= (index >> 8) & 0x00ff00ffu;
+    index ^= (index >> 4) & 0x0f0f0f0fu;
+    index ^= (index >> 2) & 0x33333333u;
+    index ^= (index >> 1) & 0x55555555u;
+    return index;
+}
+
+real unitReal(uint word) {
+    return real(word >> 8) * real(1.0 / 16777216.0);
+}
+
+uint pixelKey(int pixel_x, int pixel_y, uint seed) {
+    return hashWord(uint(pixel_x) + hashWord(uint(pixel_y) + hashWord(seed)));
+}
+
+// In [0, 1)^2; `pair` numbers the decisions.
+vec2 samplePoint(uint pixel_key, int index, uint pair) {
+    uint key = hashWord(pixel_key + hashWord(pair));
+    uint shuffled = bitfieldReverse(permuteWord(bitfieldReverse(uint(index)), key));
+    uint first = bitfieldReverse(permuteWord(shuffled, hashWord(key + 1u)));
+    uint second = bitfieldReverse(permuteWord(sobolWord(shuffled), hashWord(key + 2u)));
+    return vec2(unitReal(first), unitReal(second));
+}
+
+// The place in the pixel, in [-0.5, 0.5) about its centre.
 vec2 samplePosition(int pixel_x, int pixel_y, int index, uint seed) {
-    uint shift_x = hashWord(uint(pixel_x) + hashWord(uint(pixel_y) + hashWord(seed)));
-    uint shift_y = hashWord(shift_x);
-    uint x = shift_x + uint(index) * 3242174889u;
-    uint y = shift_y + uint(index) * 2447445414u;
-    return vec2(real(x >> 8), real(y >> 8)) * real(1.0 / 16777216.0) - vec2(real(0.5));
+    return samplePoint(pixelKey(pixel_x, pixel_y, seed), index, 0u) - vec2(real(0.5));
 }

@@ -1,4 +1,5 @@
-// The scene's nearest hit, its shadows and direct light. Loops over objects and lights have the bounds of the scene.
+// The scene's nearest hit along a ray, its colour, and what stands between it and a light. Loops over objects have the
+// bounds of the scene.
 
 // The nearest hit, made ready for shading. World space unless said otherwise.
 struct SurfacePoint {
@@ -10,6 +11,10 @@ struct SurfacePoint {
     vec3 position, normal;
 #ifdef WITH_CURVED
     vec3 smooth_normal;
+#endif
+#ifdef WITH_PATHS
+    vec3 towards;  // from the ray's start
+    vec2 uv;       // of a mesh
 #endif
     vec3 object_position, start;  // object space, units of R; start: P', where secondary rays begin
     vec3 albedo;
@@ -52,19 +57,76 @@ MapData mapOf(int k, int level) {
     return maps[level * MAX_OBJECTS + k];
 }
 
+// Where a ray starts: at the camera, through a place of the picture, or on a surface.
+struct Segment {
+    vec2 raster, jitter;
+#ifdef WITH_PATHS
+    bool camera;
+    int object, level;  // that it starts on, and of whose detail
+    vec3 start;         // P', in that object's space
+    vec3 from_first;    // P, world, from object 0's centre
+    vec3 direction;     // world, unit
+#endif
+};
+
+Segment cameraSegment(vec2 raster, vec2 jitter) {
+    Segment segment;
+    segment.raster = raster;
+    segment.jitter = jitter;
+#ifdef WITH_PATHS
+    segment.camera = true;
+    segment.object = 0;
+    segment.level = 0;
+    segment.start = vec3(0.0);
+    segment.from_first = vec3(0.0);
+    segment.direction = vec3(0.0);
+#endif
+    return segment;
+}
+
+// P' of object `from` in the space of object k.
+vec3 startFor(int k, ObjectData object, int from, vec3 start) {
+    if (kObjectCount == 1 || k == from) return start;
+    return objectFromWorldPoint(object, worldFromObjectPoint(objects[from], start));
+}
+
+Ray segmentRay(Segment segment, int k, ObjectData object, vec2 pixel) {
+#ifdef WITH_PATHS
+    if (!segment.camera)
+        return secondaryRay(startFor(k, object, segment.object, segment.start),
+                            objectFromWorldVector(object, segment.direction), false);
+#endif
+    return cameraRay(object, pixel, segment.jitter);
+}
+
+// P' stands on the level that the ray before met; rays from it meet other objects' maps themselves.
+int segmentLevel(Segment segment, int k, ObjectData object, Ray ray) {
+#ifdef WITH_PATHS
+    if (!segment.camera) return k == segment.object ? segment.level : 0;
+#endif
+    return levelFor(k, object, ray);
+}
+
+vec3 towardsHit(Segment segment, ObjectData object, vec3 p, vec3 from_first, vec2 pixel) {
+#ifdef WITH_PATHS
+    if (!segment.camera) return from_first - segment.from_first;
+#endif
+    return fromRayStart(object, p, pixel + segment.jitter);
+}
+
 // Keeps object k's hit if it is the nearest so far.
-void considerObject(inout SurfacePoint best, int k, vec2 raster, vec2 jitter) {
+void considerObject(inout SurfacePoint best, int k, Segment segment) {
     ObjectData object = objects[k];
-    vec2 pixel = raster - vec2(object.anchor_x, object.anchor_y);
-    Ray ray = cameraRay(object, pixel, jitter);
-    int level = levelFor(k, object, ray);
+    vec2 pixel = segment.raster - vec2(object.anchor_x, object.anchor_y);
+    Ray ray = segmentRay(segment, k, object, pixel);
+    int level = segmentLevel(segment, k, object, ray);
     ObjectHit hit = hitObject(object, mapOf(k, level), ray);
     best.steps += hit.steps;
     best.exhausted = best.exhausted || hit.exhausted;
     best.doubtful = best.doubtful || hit.doubtful;
-    vec3 towards = fromRayStart(object, hit.p, pixel + jitter);
-    float t = hit.inside ? 0.0 : length(towards);
     vec3 from_first = fromCentre(object, hit.p) + object.from_first.xyz;
+    vec3 towards = towardsHit(segment, object, hit.p, from_first, pixel);
+    float t = hit.inside ? 0.0 : length(towards);
     if (hit.hit && (kObjectCount == 1 || isNearer(best, t, towards, from_first))) {
         best.hit = true;
         best.inside = hit.inside;
@@ -77,6 +139,10 @@ void considerObject(inout SurfacePoint best, int k, vec2 raster, vec2 jitter) {
 #ifdef WITH_CURVED
         best.smooth_normal = worldNormal(object, hit.shading_n);
 #endif
+#ifdef WITH_PATHS
+        best.towards = towards;
+        best.uv = hit.uv;
+#endif
         best.object_position = hit.p;
         best.start = hit.p + startOffset(object) * hit.n;
         best.albedo = object.albedo.rgb;
@@ -86,7 +152,7 @@ void considerObject(inout SurfacePoint best, int k, vec2 raster, vec2 jitter) {
     }
 }
 
-SurfacePoint nearestHit(vec2 raster, vec2 jitter) {
+SurfacePoint nearestHit(Segment segment) {
     SurfacePoint best;
     best.hit = false;
     best.inside = false;
@@ -96,46 +162,57 @@ SurfacePoint nearestHit(vec2 raster, vec2 jitter) {
     best.steps = 0;
     best.level = 0;
     best.t = kInfinity;
-    for (int k = 0; k < kObjectCount; ++k) considerObject(best, k, raster, jitter);
+    for (int k = 0; k < kObjectCount; ++k) considerObject(best, k, segment);
     return best;
 }
 
+vec2 pointUv(SurfacePoint point) {
+#ifdef WITH_PATHS
+    if (sceneHas(KIND_MESH) && objects[point.object].kind == KIND_MESH) return point.uv;
+#endif
+    return surfaceUv(objects[point.object], point.object_position);
+}
+
+vec3 pointImageColour(SurfacePoint point) {
+#ifdef WITH_PATHS
+    if (sceneHas(KIND_MESH) && objects[point.object].kind == KIND_MESH)
+        return imageColourAt(objects[point.object], point.uv);
+#endif
+    return imageColour(objects[point.object], point.object_position);
+}
+
+#ifdef WITH_PATHS
+vec3 checkerColour(SurfacePoint point) {
+    MaterialData material = materials[point.object];
+    vec2 cell = floor(pointUv(point) * vec2(material.u_scale, material.v_scale));
+    return mod(cell.x + cell.y, 2.0) < 0.5 ? point.albedo : material.odd.rgb;
+}
+#endif
+
 vec3 albedoOf(SurfacePoint point) {
     if (kImages != 0 && objects[point.object].image != IMAGE_NONE)
-        return imageColour(objects[point.object], point.object_position);
+        return pointImageColour(point);
+#ifdef WITH_PATHS
+    if (kCheckerboards != 0 && materials[point.object].checkerboard != 0) return checkerColour(point);
+#endif
     if (point.ramp < 0) return point.albedo;
     float place = clamp(point.h, 0.0, 1.0) * float(RAMP_POINTS - 1);
     int k = min(int(place), RAMP_POINTS - 2);
     int first = point.ramp * RAMP_POINTS + k;
-    return mix(ramp_points[first].rgb, ramp_points[first + 1].rgb, place - float(k));
+    vec3 colour = mix(ramp_points[first].rgb, ramp_points[first + 1].rgb, place - float(k));
+    return min(colour * objects[point.object].texture_scale.rgb, vec3(1.0));
 }
 
-// Whether object k is between P' and the light, `towards` which ends there or goes on for ever.
-bool shades(int k, SurfacePoint point, LightData light, bool ends, inout bool doubtful) {
+// Whether object k is between P' and a light: at `place`, seen from object 0's centre, if the ray `ends` there; in the
+// direction `place` if it goes on for ever.
+bool shades(int k, SurfacePoint point, vec3 place, bool ends, inout bool doubtful) {
     ObjectData object = objects[k];
-    vec3 start = point.start;
-    if (kObjectCount > 1 && k != point.object)
-        start = objectFromWorldPoint(object, worldFromObjectPoint(objects[point.object], point.start));
-    vec3 offset = ends ? objectFromWorldVector(object, light.position.xyz - object.from_first.xyz) - start
-                       : objectFromWorldVector(object, light.position.xyz);
+    vec3 start = startFor(k, object, point.object, point.start);
+    vec3 offset = ends ? objectFromWorldVector(object, place - object.from_first.xyz) - start
+                       : objectFromWorldVector(object, place);
     // P' stands on the level that the camera's ray met; other objects throw the shadows of their maps.
     MapData map = mapOf(k, k == point.object ? point.level : 0);
     return blocks(object, map, secondaryRay(start, offset, ends), doubtful);
-}
-
-// Whether the light is seen from P'. `doubtful` is set where another precision must decide.
-bool isLit(SurfacePoint point, LightData light, inout bool doubtful) {
-    bool ends = light.position.w > 0.5;
-    vec3 towards = ends ? light.position.xyz - point.from_first : light.position.xyz;
-    bool lit = dot(towards, point.normal) > 0.0;
-    for (int k = 0; k < kObjectCount && lit; ++k) lit = !shades(k, point, light, ends, doubtful);
-    return lit;
-}
-
-uint visibleLights(SurfacePoint point, inout bool doubtful) {
-    uint mask = 0u;
-    for (int k = 0; k < kLightCount; ++k) mask |= isLit(point, lights[k], doubtful) ? 1u << k : 0u;
-    return mask;
 }
 
 #ifdef WITH_CURVED
@@ -146,22 +223,3 @@ float terminatorShare(float cosine, float shading_cosine, float between) {
     return share * (1.0 + share * (1.0 - share));
 }
 #endif
-
-// Radiance that a Lambertian surface of albedo pi sends off because of a light.
-vec3 lightFrom(LightData light, SurfacePoint point) {
-    vec3 towards = light.position.xyz - light.position.w * point.from_first;
-    float square = dot(towards, towards);
-    float cosine = max(dot(towards, shadingNormal(point)) * inversesqrt(square), 0.0);
-#ifdef WITH_CURVED
-    cosine *= terminatorShare(dot(towards, point.normal) * inversesqrt(square), cosine, dot(point.normal, point.smooth_normal));
-#endif
-    return light.radiance.rgb * (light.position.w > 0.5 ? cosine / square : cosine);
-}
-
-// Lambert: albedo / pi times the irradiance of the visible lights.
-vec3 directLight(SurfacePoint point, vec3 albedo, uint lit) {
-    vec3 sum = vec3(0.0);
-    for (int k = 0; k < kLightCount; ++k)
-        if ((lit & (1u << k)) != 0u) sum += lightFrom(lights[k], point);
-    return albedo * sum / kPi;
-}

@@ -150,6 +150,17 @@ struct DeviceScene::Layout {
         return result;
     }
 
+    std::vector<layout::LightData> placedLights(const PackedScene& packed) const {
+        std::vector<layout::LightData> result = packed.lights;
+        for (layout::LightData& light : result) {
+            if (light.kind != LIGHT_IMAGE) continue;
+            const Stack::Place place = image_places[std::size_t(packed.light_image)];
+            light.image_y = place.y;
+            light.image_layer = place.layer;
+        }
+        return result;
+    }
+
     void placeImages(const gpu::Device& device, const PackedScene& packed) {
         if (!packed.images.empty()) images.add(256, 1);  // the codes' light
         for (const ImageWords& image : packed.images) {
@@ -205,8 +216,12 @@ DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, std::sh
       objects_(makeBuffer(device, gpu::Buffer::Usage::Uniform, layout_->placedObjects(packed), MAX_OBJECTS, "objects")),
       maps_(device, gpu::Buffer::Usage::Uniform, gpu::Buffer::Place::Device,
             sizeof(layout::MapData) * MAX_OBJECTS * MAX_LEVELS, "maps"),
-      lights_(makeBuffer(device, gpu::Buffer::Usage::Uniform, packed.lights, MAX_LIGHTS, "lights")),
+      lights_(makeBuffer(device, gpu::Buffer::Usage::Uniform, layout_->placedLights(packed), MAX_LIGHTS, "lights")),
+      materials_(makeBuffer(device, gpu::Buffer::Usage::Uniform, packed.materials, MAX_OBJECTS, "materials")),
+      triangles_(makeBuffer(device, gpu::Buffer::Usage::Uniform, packed.triangles, MAX_TRIANGLES, "triangles")),
       ramps_(makeBuffer(device, gpu::Buffer::Usage::Storage, packed.ramp_points, packed.ramp_points.size(), "ramps")),
+      tables_(makeBuffer(device, gpu::Buffer::Usage::Storage, packed.tables.values,
+                         std::max<std::size_t>(packed.tables.values.size(), 1), "tables")),
       heights_(makeImage(device, gpu::Format::R32Float, layout_->heights, "heights")),
       bounds_(makeImage(device, gpu::Format::R32Float, layout_->bounds, "bounds")),
       edges_(makeImage(device, gpu::Format::Rgba32Float, layout_->edges, "edges")),
@@ -250,8 +265,10 @@ void DeviceScene::updateObjects(const PackedScene& packed) {
     objects_.upload(0, objects.size() * sizeof(objects[0]), objects.data());
 }
 
-void DeviceScene::updateLights(const PackedScene& packed) {
-    lights_.upload(0, packed.lights.size() * sizeof(packed.lights[0]), packed.lights.data());
+void DeviceScene::updateLook(const PackedScene& packed) {
+    const std::vector<layout::LightData> lights = layout_->placedLights(packed);
+    if (!lights.empty()) lights_.upload(0, lights.size() * sizeof(lights[0]), lights.data());
+    materials_.upload(0, packed.materials.size() * sizeof(packed.materials[0]), packed.materials.data());
 }
 
 void DeviceScene::updateReliefs(const PackedScene& packed) {
@@ -266,7 +283,8 @@ void DeviceScene::updateReliefs(const PackedScene& packed) {
 }
 
 std::vector<gpu::Resource> DeviceScene::resources() const {
-    return {&objects_, &maps_, &lights_, &ramps_, &heights_, &bounds_, &edges_, &images_, &nodes_};
+    return {&objects_, &maps_,    &lights_, &materials_, &triangles_, &ramps_,
+            &tables_,  &heights_, &bounds_, &edges_, &images_, &nodes_};
 }
 
 }  // namespace dsphere

@@ -22,8 +22,8 @@ class DeviceScene {
 
     /// Uploads the objects again: after packCamera.
     void updateObjects(const PackedScene& packed);
-    /// Uploads the lights again, as many as before.
-    void updateLights(const PackedScene& packed);
+    /// Uploads lights and materials again, as many as before.
+    void updateLook(const PackedScene& packed);
     /// Uploads bounds and maps again: of the same maps under other reliefs, as many as before.
     void updateReliefs(const PackedScene& packed);
 
@@ -38,7 +38,7 @@ class DeviceScene {
     struct Layout;
 
     std::shared_ptr<const Layout> layout_;
-    gpu::Buffer objects_, maps_, lights_, ramps_;
+    gpu::Buffer objects_, maps_, lights_, materials_, triangles_, ramps_, tables_;
     std::uint64_t map_bytes_ = 0, image_bytes_ = 0;
     gpu::StorageImage heights_, bounds_, edges_, images_, nodes_;
 

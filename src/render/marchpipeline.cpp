@@ -10,43 +10,10 @@
 
 namespace dsphere {
 
-namespace {
-
-std::uint32_t bit(int place) {
-    return 1u << place;
-}
-
-std::uint32_t surfacesOf(const DisplacedSphere& sphere) {
-    if (sphere.ripples) return bit(SURFACE_RIPPLES);
-    if (sphere.filter == Filter::BSpline) return bit(SURFACE_SPLINE);
-    return bit(SURFACE_BILINEAR) | (sphere.smooth_normals ? bit(SURFACE_SMOOTH_NORMALS) : 0u);
-}
-
-}  // namespace
-
-SceneTraits traitsOf(const Scene& scene) {
-    SceneTraits traits{std::uint32_t(scene.shapes.size()), std::uint32_t(scene.lights.size()), 0, 0, false};
-    for (const Shape& shape : scene.shapes) {
-        traits.images = traits.images || textureAs<ImageMap>(shape.material) != nullptr;
-        if (std::holds_alternative<Sphere>(shape.geometry)) traits.kinds |= bit(KIND_SPHERE);
-        if (std::holds_alternative<Disk>(shape.geometry)) traits.kinds |= bit(KIND_DISK);
-        const auto* displaced = std::get_if<DisplacedSphere>(&shape.geometry);
-        if (!displaced) continue;
-        traits.kinds |= bit(KIND_DISPLACED);
-        traits.surfaces |= surfacesOf(*displaced);
-    }
-    return traits;
-}
-
-SceneTraits traitsOf(const PackedScene& packed) {
-    return {std::uint32_t(packed.objects.size()), std::uint32_t(packed.lights.size()), packed.kinds, packed.surfaces,
-            !packed.images.empty()};
-}
-
 // For the steepest of the scene's maps; rounded down.
 float safeStride(const PackedScene& packed, const MarchMethod& method) {
     if (method.marcher != Marcher::Lipschitz) return 1.0f;
-    if (traitsOf(packed).curved())
+    if (packed.traits.curved())
         throwInvalid(
             "the Lipschitz marcher knows bilinear surfaces alone; the scene has a B-spline, ripples or smooth normals");
     double bound = 1.0;
@@ -60,7 +27,7 @@ gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& t
                                        std::uint32_t planes) {
     using gpu::Binding;
     std::vector<Binding::Kind> bindings(BINDING_RAMPS, Binding::UniformBuffer);
-    bindings.push_back(Binding::StorageBuffer);
+    bindings.insert(bindings.end(), BINDING_HEIGHTS - BINDING_RAMPS, Binding::StorageBuffer);
     bindings.insert(bindings.end(), BINDING_FILM - BINDING_HEIGHTS, Binding::StorageImage);
     bindings.push_back(shader == Shader::Render ? Binding::StorageImage : Binding::StorageBuffer);
     bindings.push_back(Binding::StorageBuffer);
@@ -75,6 +42,16 @@ gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& t
     specialization[SPEC_THRESHOLD] = std::bit_cast<std::uint32_t>(method.threshold);
     specialization[SPEC_STRIDE] = std::bit_cast<std::uint32_t>(stride);
     specialization[SPEC_DETAIL] = std::bit_cast<std::uint32_t>(method.detail);
+    const SceneTraits::Paths& paths = traits.paths;
+    specialization[SPEC_MATERIALS] = paths.materials;
+    specialization[SPEC_LIGHT_KINDS] = paths.light_kinds;
+    specialization[SPEC_CHECKERBOARDS] = paths.checkerboards ? 1 : 0;
+    specialization[SPEC_MAX_DEPTH] = paths.max_depth;
+    specialization[SPEC_DIFFUSE_PATHS] = paths.diffuse_paths ? 1 : 0;
+    specialization[SPEC_CLAMP] = std::bit_cast<std::uint32_t>(paths.clamp);
+    specialization[SPEC_GAUSSIAN] = paths.gaussian ? 1 : 0;
+    specialization[SPEC_RADIUS_X] = std::bit_cast<std::uint32_t>(paths.radius_x);
+    specialization[SPEC_RADIUS_Y] = std::bit_cast<std::uint32_t>(paths.radius_y);
     std::uint32_t push_bytes = shader == Shader::Render ? sizeof(layout::RenderParams) : 0;
     return gpu::ComputePipeline(device, spirv, bindings, specialization, push_bytes,
                                 shader == Shader::Render ? "render" : "probe");

@@ -3,26 +3,13 @@
 #include "gpu/pipeline.h"
 #include "render/method.h"
 #include "render/pack.h"
+#include "render/traits.h"
 
 #include <span>
 
 namespace dsphere {
 
 enum class Shader { Render, Probe };
-
-/// What of a scene pipelines are specialised to: known before its maps are read.
-struct SceneTraits {
-    std::uint32_t objects = 0, lights = 0;
-    std::uint32_t kinds = 0, surfaces = 0;  ///< bit per KIND_ and SURFACE_ in use
-    bool images = false;
-
-    bool operator==(const SceneTraits&) const = default;
-    /// Whether the shader variants WITH_CURVED are needed.
-    bool curved() const { return surfaces > 1u << SURFACE_BILINEAR; }
-};
-
-SceneTraits traitsOf(const Scene& scene);
-SceneTraits traitsOf(const PackedScene& packed);
 
 /// The share of |p| - r that no step of the Lipschitz marcher may exceed; 1 for the others.
 float safeStride(const PackedScene& packed, const MarchMethod& method);

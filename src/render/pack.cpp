@@ -2,6 +2,8 @@
 
 #include "base/error.h"
 #include "render/packlevels.h"
+#include "render/packlight.h"
+#include "render/packmesh.h"
 #include "scene/ramps.h"
 
 #include <algorithm>
@@ -31,12 +33,24 @@ struct Frame {
     double unit;
 };
 
+dmat4 translated(dmat4 m, const dvec3& by) {
+    m[3] = m * dvec4(by, 1.0);
+    return m;
+}
+
+// A mesh lies about its own centre on the device.
+dmat4 worldFromDevice(const Shape& shape) {
+    const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry);
+    return mesh ? translated(shape.world_from_object, meshCentre(*mesh)) : shape.world_from_object;
+}
+
 dvec3 centreOf(const Shape& shape) {
-    return transformPoint(shape.world_from_object, dvec3(0.0));
+    return transformPoint(worldFromDevice(shape), dvec3(0.0));
 }
 
 Frame frameOf(const Shape& shape, double unit) {
-    return {shape.world_from_object, glm::inverse(shape.world_from_object), unit};
+    const dmat4 world = worldFromDevice(shape);
+    return {world, glm::inverse(world), unit};
 }
 
 /// A vector as the shader keeps it twice as long: row + row_lo, whose sum has 48 bits.
@@ -129,10 +143,9 @@ void packImages(PackedScene& packed, const Scene& scene, const SceneMaps& maps) 
         packed.image_of_object.push_back(image ? maps.image_of_shape[i] : -1);
         packed.centres.emplace_back();
         if (!image) continue;
-        double scale = textureAs<ImageMap>(shape.material)->scale.r;
-        packed.centres.back() =
-            packImage(packed.objects[i], *image, scale, longitudeOriginOf(shape), innerShareOf(shape));
+        packed.centres.back() = packImage(packed.objects[i], *image, longitudeOriginOf(shape), innerShareOf(shape));
     }
+    packed.light_image = maps.light_image;
 }
 
 void packMaterial(ObjectData& object, const Shape& shape, const Relief& relief) {
@@ -141,7 +154,15 @@ void packMaterial(ObjectData& object, const Shape& shape, const Relief& relief) 
     object.ramp_scale = float(relief.h_scale);
     if (const auto* constant = textureAs<ConstantColour>(shape.material))
         object.albedo = narrow(constant->rgb, 1.0);
-    if (const auto* ramp = textureAs<HeightRamp>(shape.material)) object.ramp = findRamp(ramp->ramp);
+    if (const auto* board = textureAs<Checkerboard>(shape.material)) object.albedo = narrow(board->even, 1.0);
+    if (const auto* mirror = std::get_if<Mirror>(&shape.material)) object.albedo = narrow(mirror->reflectance, 1.0);
+    if (const auto* metal = std::get_if<Conductor>(&shape.material))
+        for (int c = 0; c < 3; ++c) object.albedo[c] = float(fresnelOf(1.0, metal->eta[c], metal->k[c]));
+    if (const auto* ramp = textureAs<HeightRamp>(shape.material)) {
+        object.ramp = findRamp(ramp->ramp);
+        object.texture_scale = narrow(ramp->scale, 1.0);
+    }
+    if (const auto* image = textureAs<ImageMap>(shape.material)) object.texture_scale = narrow(image->scale, 1.0);
 }
 
 int findOrAddRelief(PackedScene& packed, int map, const Relief& relief, Levels levels) {
@@ -156,8 +177,6 @@ int findOrAddRelief(PackedScene& packed, int map, const Relief& relief, Levels l
     const NodeGrid& nodes = *packed.nodes[std::size_t(map)];
     added.bounds = buildBounds(nodes, relief);
     added.shader = packMap(nodes, added.bounds, relief);
-    packed.surfaces |= 1u << added.shader.data.surface;
-    if (relief.smooth_normals) packed.surfaces |= 1u << SURFACE_SMOOTH_NORMALS;
     packed.reliefs.push_back(std::move(added));
     const int index = int(packed.reliefs.size()) - 1;
     if (levels == Levels::All) packLevels(packed, index, relief);
@@ -186,16 +205,29 @@ double packGeometry(ObjectData& object, PackedScene& packed, const Shape& shape,
         object.inner_squared = float(std::pow(disk->inner_radius / disk->radius, 2.0));
         return disk->radius;
     }
+    if (const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry)) {
+        object.kind = KIND_MESH;
+        return packMesh(object, *mesh, packed.triangles);
+    }
     object.kind = KIND_SPHERE;
     return std::get<Sphere>(shape.geometry).radius;
 }
 
-/// A point light as seen from the first object's centre: a planet and its lamp may be far from the origin.
-layout::LightData packLight(const Light& light, const dvec3& first_centre) {
-    if (const auto* distant = std::get_if<DistantLight>(&light))
-        return {narrow(distant->direction, 0.0), narrow(distant->radiance, 0.0)};
-    const auto& point = std::get<PointLight>(light);
-    return {narrow(point.position - first_centre, 1.0), narrow(point.intensity, 0.0)};
+void requireLimits(const Scene& scene) {
+    if (scene.shapes.size() > std::size_t(MAX_OBJECTS))
+        throwInvalid("{}: {} shapes; at most {} are supported", scene.name, scene.shapes.size(), MAX_OBJECTS);
+    if (scene.lights.size() > std::size_t(MAX_LIGHTS))
+        throwInvalid("{}: {} lights; at most {} are supported", scene.name, scene.lights.size(), MAX_LIGHTS);
+    if (scene.shapes.size() * (scene.lights.size() + 1) > MAX_MARCHES)
+        throwInvalid("{}: {} shapes times {} lights and the camera; at most {} marches a pixel are supported",
+                     scene.name, scene.shapes.size(), scene.lights.size(), MAX_MARCHES);
+    if (scene.integrator.max_depth > MAX_DEPTH)
+        throwInvalid("{}: maxdepth {}; at most {} is supported", scene.name, scene.integrator.max_depth, MAX_DEPTH);
+    std::size_t triangles = 0;
+    for (const Shape& shape : scene.shapes)
+        if (const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry)) triangles += mesh->triangles.size();
+    if (triangles > std::size_t(MAX_TRIANGLES))
+        throwInvalid("{}: {} triangles; at most {} are supported", scene.name, triangles, MAX_TRIANGLES);
 }
 
 }  // namespace
@@ -212,19 +244,14 @@ void packCamera(PackedScene& packed, const Scene& scene) {
 void packLook(PackedScene& packed, const Scene& scene, const SceneMaps& maps) {
     for (std::size_t i = 0; i < scene.shapes.size(); ++i)
         packMaterial(packed.objects[i], scene.shapes[i], maps.reliefs[i]);
-    packed.lights.clear();
-    for (const Light& light : scene.lights) packed.lights.push_back(packLight(light, centreOf(scene.shapes[0])));
+    packed.lights = packLights(scene, maps, packed.tables);
+    packed.materials = packMaterials(scene, packed.tables);
 }
 
 PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels) {
-    if (scene.shapes.size() > std::size_t(MAX_OBJECTS))
-        throwInvalid("{}: {} shapes; at most {} are supported", scene.name, scene.shapes.size(), MAX_OBJECTS);
-    if (scene.lights.size() > std::size_t(MAX_LIGHTS))
-        throwInvalid("{}: {} lights; at most {} are supported", scene.name, scene.lights.size(), MAX_LIGHTS);
-    if (scene.shapes.size() * (scene.lights.size() + 1) > MAX_MARCHES)
-        throwInvalid("{}: {} shapes times {} lights and the camera; at most {} marches a pixel are supported",
-                     scene.name, scene.shapes.size(), scene.lights.size(), MAX_MARCHES);
+    requireLimits(scene);
     PackedScene packed;
+    packed.traits = traitsOf(scene);
     for (const auto& map : maps.maps) packed.nodes.push_back(std::make_unique<NodeGrid>(*map));
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         const Shape& shape = scene.shapes[i];
@@ -232,10 +259,10 @@ PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels) 
         packed.units.push_back(packGeometry(object, packed, shape, maps.map_of_shape[i], maps.reliefs[i], levels));
         packTransforms(object, frameOf(shape, packed.units.back()));
         object.from_first = narrow(centreOf(shape) - centreOf(scene.shapes[0]), 0.0);
-        packed.kinds |= 1u << object.kind;
         packed.objects.push_back(object);
     }
     packImages(packed, scene, maps);
+    packed.tables = makePathTables(scene, maps);
     packCamera(packed, scene);
     packLook(packed, scene, maps);
     for (const Ramp& ramp : ramps())

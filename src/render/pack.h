@@ -4,7 +4,9 @@
 
 #include "render/packimage.h"
 #include "render/packmap.h"
+#include "render/pathtables.h"
 #include "render/raster.h"
+#include "render/traits.h"
 #include "surface/scenemaps.h"
 
 #include <memory>
@@ -40,11 +42,15 @@ struct PackedScene {
     std::vector<int> image_of_object;                ///< index in `images`, -1: none
     std::vector<PackedCentres> centres;              ///< one an object, empty without an image
     std::vector<layout::vec4> ramp_points;           ///< all ramps, RAMP_POINTS each
-    std::uint32_t kinds = 0;                         ///< bit per KIND_ in use
-    std::uint32_t surfaces = 0;                      ///< bit per SURFACE_ in use
+    std::vector<layout::MaterialData> materials;     ///< one an object
+    std::vector<layout::TriangleData> triangles;     ///< of all meshes
+    PathTables tables;
+    int light_image = -1;                            ///< index in `images` of the infinite light's, -1: none
+    SceneTraits traits;
 };
 
-/// Error (InvalidInput) with more than MAX_OBJECTS shapes, MAX_LIGHTS lights, or MAX_MARCHES rays a pixel.
+/// Error (InvalidInput) with more than MAX_OBJECTS shapes, MAX_LIGHTS lights, MAX_TRIANGLES triangles, MAX_MARCHES rays a
+/// pixel, or MAX_DEPTH reflections.
 PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels = Levels::Finest);
 
 /// Gives a packed scene the camera and film of `scene`, which has changed in nothing else.

@@ -22,12 +22,10 @@ std::uint32_t bits(double value) {
 
 }  // namespace
 
-PackedCentres packImage(layout::ObjectData& object, const ColourMap& image, double scale, double longitude_origin,
-                        double inner) {
+PackedCentres packImage(layout::ObjectData& object, const ColourMap& image, double longitude_origin, double inner) {
     object.image = image.raw().srgb.empty() ? IMAGE_FLOATS : IMAGE_CODES;
     object.image_width = image.width();
     object.image_height = image.height();
-    object.image_scale = float(scale);
     object.image_north = layout::vec4(glm::vec3(image.north()), 1.0f);
     object.image_south = layout::vec4(glm::vec3(image.south()), 1.0f);
     double shift = 0.5;  // pbrt's u begins half a turn from where a displaced sphere's longitude is 0

@@ -15,8 +15,7 @@ struct PackedCentres {
 
 /// Fills the object's image fields but for its place in the images. `object.kind` and `inner_squared` must be set;
 /// `longitude_origin` in degrees (displaced spheres), `inner` the disk's inner radius as a share of its radius.
-PackedCentres packImage(layout::ObjectData& object, const ColourMap& image, double scale, double longitude_origin,
-                        double inner);
+PackedCentres packImage(layout::ObjectData& object, const ColourMap& image, double longitude_origin, double inner);
 
 /// An image's words as they lie on the device: rows of width() words, height() of them, or three times as many for
 /// IMAGE_FLOATS.

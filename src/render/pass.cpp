@@ -3,10 +3,13 @@
 #include "gpu/device.h"
 #include "shaders/render_baseline.spv.h"
 #include "shaders/render_baseline_curved.spv.h"
+#include "shaders/render_baseline_paths.spv.h"
 #include "shaders/render_filter.spv.h"
 #include "shaders/render_filter_curved.spv.h"
+#include "shaders/render_filter_paths.spv.h"
 #include "shaders/render_full.spv.h"
 #include "shaders/render_full_curved.spv.h"
+#include "shaders/render_full_paths.spv.h"
 
 #include <algorithm>
 #include <cassert>
@@ -33,15 +36,18 @@ std::vector<gpu::Resource> bindAll(const DeviceScene& scene, const gpu::StorageI
     return resources;
 }
 
-Spirv firstShader(const MarchMethod& method, bool curved) {
-    if (method.marcher == Marcher::Exact)
-        return curved ? Spirv(kSpirv_render_filter_curved) : Spirv(kSpirv_render_filter);
-    return curved ? Spirv(kSpirv_render_baseline_curved) : Spirv(kSpirv_render_baseline);
-}
+/// One shader's variants, from the leanest on.
+struct Variants {
+    Spirv lean, curved, paths;
 
-Spirv fullShader(bool curved) {
-    return curved ? Spirv(kSpirv_render_full_curved) : Spirv(kSpirv_render_full);
-}
+    Spirv of(const SceneTraits& traits) const {
+        return traits.needsPaths() ? paths : (traits.curved() ? curved : lean);
+    }
+};
+
+const Variants kFilter = {kSpirv_render_filter, kSpirv_render_filter_curved, kSpirv_render_filter_paths};
+const Variants kFull = {kSpirv_render_full, kSpirv_render_full_curved, kSpirv_render_full_paths};
+const Variants kBaseline = {kSpirv_render_baseline, kSpirv_render_baseline_curved, kSpirv_render_baseline_paths};
 
 }  // namespace
 
@@ -52,14 +58,14 @@ PassPipelines::PassPipelines(gpu::Device& device, const SceneTraits& traits, flo
       stride_(stride),
       method_(method),
       mask_(mask),
-      first_(make(firstShader(method, traits.curved()))) {}
+      first_(make((method.marcher == Marcher::Exact ? kFilter : kBaseline).of(traits))) {}
 
 gpu::ComputePipeline PassPipelines::make(std::span<const std::uint32_t> spirv) const {
     return makeMarchPipeline(*device_, traits_, stride_, spirv, Shader::Render, method_, mask_);
 }
 
 const gpu::ComputePipeline& PassPipelines::full() {
-    if (!full_) full_ = make(fullShader(traits_.curved()));
+    if (!full_) full_ = make(kFull.of(traits_));
     return *full_;
 }
 

@@ -35,8 +35,8 @@ layout::ProbeRay narrowRay(const ProbeQuery& query) {
 Probe::Probe(gpu::Device& device, const PackedScene& packed)
     : device_(device),
       device_scene_(device, packed),
-      pipeline_(makeMarchPipeline(device, traitsOf(packed), 1.0f,
-                                  traitsOf(packed).curved() ? Spirv(kSpirv_probe_curved) : Spirv(kSpirv_probe),
+      pipeline_(makeMarchPipeline(device, packed.traits, 1.0f,
+                                  packed.traits.curved() ? Spirv(kSpirv_probe_curved) : Spirv(kSpirv_probe),
                                   Shader::Probe, Marcher::Exact, 0)) {}
 
 std::vector<layout::ProbeHit> Probe::trace(const std::vector<ProbeQuery>& queries) {

@@ -16,6 +16,14 @@ namespace {
 // Work handed over at once stays well below every driver's watchdog (2 s the shortest).
 constexpr double kSubmitTarget = 0.05;
 
+/// The pixels that may not be black: all under an infinite light.
+std::vector<Span> shownSpans(const PackedScene& packed, const Box& crop) {
+    const SceneTraits::Paths& paths = packed.traits.paths;
+    if (paths.light_kinds & (1u << LIGHT_INFINITE | 1u << LIGHT_IMAGE))
+        return std::vector<Span>(std::size_t(crop.height()), Span{0, crop.width()});
+    return objectSpans(packed.objects, crop, std::max({0.5, double(paths.radius_x), double(paths.radius_y)}));
+}
+
 }  // namespace
 
 Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Scene& scene, const MarchMethod& method)
@@ -25,13 +33,13 @@ Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Scene& 
       method_(method),
       crop_(cropBox(scene.film)),
       display_{0, 0, scene.film.width, scene.film.height},
-      spans_(objectSpans(packed.objects, crop_)) {}
+      spans_(shownSpans(packed, crop_)) {}
 
 void Renderer::setCamera(const Scene& scene) {
     device_scene_.updateObjects(packed_);
     crop_ = cropBox(scene.film);
     display_ = {0, 0, scene.film.width, scene.film.height};
-    spans_ = objectSpans(packed_.objects, crop_);
+    spans_ = shownSpans(packed_, crop_);
 }
 
 void Renderer::runTiles(Pass& pass, TileRun& run, int sample, std::uint32_t seed, const Progress& progress) {
@@ -52,11 +60,11 @@ void Renderer::update(bool reliefs) {
         std::erase_if(pipelines_, [](const auto& one) { return one.first.first.marcher == Marcher::Lipschitz; });
     }
     device_scene_.updateObjects(packed_);
-    device_scene_.updateLights(packed_);
+    device_scene_.updateLook(packed_);
 }
 
 void Renderer::adopt(PassPipelines made) {
-    if (made.traits() == traitsOf(packed_)) pipelines_.try_emplace({made.method(), made.mask()}, std::move(made));
+    if (made.traits() == packed_.traits) pipelines_.try_emplace({made.method(), made.mask()}, std::move(made));
 }
 
 PassPipelines& Renderer::pipelines(const MarchMethod& method, std::uint32_t mask) {
@@ -64,7 +72,7 @@ PassPipelines& Renderer::pipelines(const MarchMethod& method, std::uint32_t mask
     if (found == pipelines_.end())
         found = pipelines_
                     .emplace(std::pair(method, mask),
-                             PassPipelines(device_, traitsOf(packed_), safeStride(packed_, method), method, mask))
+                             PassPipelines(device_, packed_.traits, safeStride(packed_, method), method, mask))
                     .first;
     return found->second;
 }

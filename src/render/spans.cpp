@@ -24,7 +24,7 @@ struct Cone {
     double k;
     double anchor_x, anchor_y;
 
-    explicit Cone(const layout::ObjectData& object)
+    Cone(const layout::ObjectData& object, double reach)
         : d0(sum(object.direction_0, object.direction_0_lo)),
           dx(sum(object.direction_x, object.direction_x_lo)),
           dy(sum(object.direction_y, object.direction_y_lo)),
@@ -39,13 +39,13 @@ struct Cone {
         mx = glm::cross(start_x, d0) + glm::cross(start, dx);
         my = glm::cross(start_y, d0) + glm::cross(start, dy);
         double shell = std::sqrt(double(object.shell_squared)) * (1.0 + 1e-5);
-        // A ray half a pixel beside a sampled one: |m'| is at most this larger, |d'| this smaller, relative to |d'|,
+        // A ray `reach` pixels beside a sampled one: |m'| is at most this larger, |d'| this smaller, relative to |d'|,
         // which is never below the image plane's distance.
         dvec3 across = glm::cross(dx, dy);
         double flat = glm::length(across);
         double plane = flat > 0.0 ? std::abs(glm::dot(d0, across)) / flat : glm::length(d0);
         double drift = glm::length(mx) + glm::length(my) + shell * (glm::length(dx) + glm::length(dy));
-        k = shell + drift / std::max(plane, 1e-30);
+        k = shell + 2.0 * reach * drift / std::max(plane, 1e-30);
     }
 
     RowQuadratic row(double y) const {
@@ -74,10 +74,10 @@ void widen(Span& span, const Cone& cone, const Box& box, int row) {
 
 }  // namespace
 
-std::vector<Span> objectSpans(const std::vector<layout::ObjectData>& objects, const Box& box) {
+std::vector<Span> objectSpans(const std::vector<layout::ObjectData>& objects, const Box& box, double reach) {
     std::vector<Span> spans(std::size_t(box.height()));
     for (const layout::ObjectData& object : objects) {
-        Cone cone(object);
+        Cone cone(object, reach);
         for (int row = 0; row < box.height(); ++row) widen(spans[std::size_t(row)], cone, box, row);
     }
     return spans;

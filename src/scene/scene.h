@@ -54,7 +54,10 @@ struct Integrator {
     enum class Kind { DirectLighting, Path };
 
     Kind kind = Kind::DirectLighting;  ///< of scenes made in code; a scene file's default is Path
-    int max_depth = 5;                 ///< reflections that are followed, 0 or more; directlighting: mirrors alone reflect
+    int max_depth = 5;  ///< reflections that are followed, 0 or more; directlighting: mirrors alone reflect
+    /// The greatest radiance of a sample: one whose greatest channel is above it is scaled down to it as a whole, so
+    /// that its hue stays. 0: no bound. An option of the command line; scene files have no word for it.
+    double clamp = 0.0;
 
     bool operator==(const Integrator&) const = default;
 };
@@ -196,8 +199,10 @@ using Material = std::variant<Matte, Conductor, Mirror, Plastic>;
 const Texture* textureOf(const Material& material);
 Texture* textureOf(Material& material);
 
+using Geometry = std::variant<DisplacedSphere, Sphere, Disk, TriangleMesh>;
+
 struct Shape {
-    std::variant<DisplacedSphere, Sphere, Disk, TriangleMesh> geometry;
+    Geometry geometry;
     dmat4 world_from_object{1.0};  ///< invertible
     Material material;
     SourceLocation where;

@@ -41,8 +41,8 @@ void World::addSphere(const DisplacedSphere& sphere, int map, const dmat4& world
     maps.reliefs.push_back(makeRelief(asTested(sphere), *maps.maps[std::size_t(map)], {scene.name}));
 }
 
-void World::addPlain(const std::variant<DisplacedSphere, Sphere, Disk>& geometry, const dmat4& world_from_object) {
-    scene.shapes.push_back({geometry, world_from_object, {ConstantColour{dvec3(0.7, 0.5, 0.2)}}, {scene.name}});
+void World::addPlain(const Geometry& geometry, const dmat4& world_from_object) {
+    scene.shapes.push_back({geometry, world_from_object, Matte{ConstantColour{dvec3(0.7, 0.5, 0.2)}}, {scene.name}});
     maps.map_of_shape.push_back(-1);
     maps.reliefs.push_back({});
 }

@@ -22,7 +22,7 @@ struct World {
     int addMap(RawMap raw, const DisplacedSphere& sphere);
     void addSphere(const DisplacedSphere& sphere, int map, const dmat4& world_from_object = dmat4(1.0));
     /// A plain sphere or disk.
-    void addPlain(const std::variant<DisplacedSphere, Sphere, Disk>& geometry, const dmat4& world_from_object);
+    void addPlain(const Geometry& geometry, const dmat4& world_from_object);
     void addSun(const dvec3& towards);
     void addLamp(const dvec3& position, double intensity);
     /// `fov` in degrees over the shorter axis.

@@ -17,7 +17,7 @@ void expectNear(const dvec3& a, const dvec3& b, double tolerance = 1e-13) {
     EXPECT_LT(glm::length(a - b), tolerance) << a.x << ' ' << a.y << ' ' << a.z;
 }
 
-Shape shape(const std::variant<DisplacedSphere, Sphere, Disk>& geometry, const dmat4& world_from_object) {
+Shape shape(const Geometry& geometry, const dmat4& world_from_object) {
     Shape shape;
     shape.geometry = geometry;
     shape.world_from_object = world_from_object;

@@ -37,7 +37,7 @@ TEST_F(SharingTest, TraitsOfASceneAreThoseOfItsPacking) {
           std::string(
               "Shape \"displacedsphere\" \"string displacementfunction\" \"ripples\" \"float maxdispl\" 5\n")}) {
         World made = world(shapes);
-        EXPECT_EQ(traitsOf(made.scene), traitsOf(made.packed)) << shapes;
+        EXPECT_EQ(traitsOf(made.scene), made.packed.traits) << shapes;
     }
 }
 
@@ -54,7 +54,7 @@ TEST_F(SharingTest, AnotherMapOrReadingOfItSharesNothing) {
 TEST_F(SharingTest, ShapesWithoutAMapHaveNoRelief) {
     World mixed = world("Shape \"sphere\"\n" + planet() + "Shape \"disk\"\n");
     EXPECT_EQ(mixed.packed.relief_of_object, (std::vector<int>{-1, 0, -1}));
-    EXPECT_EQ(mixed.packed.kinds, 7u);
+    EXPECT_EQ(mixed.packed.traits.kinds, 7u);
 }
 
 TEST_F(SharingTest, TooManyShapes) {

@@ -13,7 +13,6 @@
 namespace dsphere::test {
 namespace {
 
-using Geometry = std::variant<DisplacedSphere, Sphere, Disk>;
 
 struct Painted {
     Shape shape;
@@ -34,11 +33,12 @@ struct Painted {
             inner = disk->inner_radius;
             object.inner_squared = float(inner * inner);
         }
-        const PackedCentres centres = packImage(object, image, texture.scale, longitude_origin, inner);
+        const PackedCentres centres = packImage(object, image, longitude_origin, inner);
         object.image_centres_y = 2;
         resources.image = &image;
         resources.column_centres = centres.columns;
         resources.row_centres = centres.rows;
+        object.texture_scale = glm::vec4(glm::vec3(texture.scale), 1.0f);
         current_resources = &resources;
     }
 };

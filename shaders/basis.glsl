@@ -1,0 +1,32 @@
+// Orthonormal bases about a unit vector, and directions in them (z along that vector).
+
+struct Basis {
+    vec3 x, y, z;
+};
+
+// Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
+Basis basisAbout(vec3 z) {
+    float s = z.z < 0.0 ? -1.0 : 1.0;
+    float a = -1.0 / (s + z.z);
+    float b = z.x * z.y * a;
+    Basis basis;
+    basis.x = vec3(1.0 + s * z.x * z.x * a, s * b, -s * z.x);
+    basis.y = vec3(b, s + z.y * z.y * a, -z.y);
+    basis.z = z;
+    return basis;
+}
+
+vec3 intoBasis(Basis basis, vec3 v) {
+    return vec3(dot(v, basis.x), dot(v, basis.y), dot(v, basis.z));
+}
+
+vec3 outOfBasis(Basis basis, vec3 v) {
+    return v.x * basis.x + v.y * basis.y + v.z * basis.z;
+}
+
+// By the density cos / pi.
+vec3 cosineDirection(vec2 u) {
+    float angle = 2.0 * kPi * u.y;
+    float sine = sqrt(u.x);
+    return vec3(sine * cos(angle), sine * sin(angle), sqrt(1.0 - u.x));
+}

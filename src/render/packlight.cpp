@@ -1,0 +1,169 @@
+#include "render/packlight.h"
+
+#include "render/traits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsphere {
+
+namespace {
+
+using layout::LightData;
+using layout::MaterialData;
+using layout::vec4;
+
+vec4 narrow(const dvec3& v, double w) {
+    return vec4(glm::vec3(v), float(w));
+}
+
+double brightness(const dvec3& rgb) {
+    return (rgb.r + rgb.g + rgb.b) / 3.0;
+}
+
+/// What lights are drawn by: their light on a surface at the first object's centre that faces them, roughly.
+double nearIrradiance(const Light& light, const LightData& data, const PathTables& tables) {
+    const double distance2 = std::max(glm::dot(dvec3(data.position), dvec3(data.position)), 1e-300);
+    const double radiance = brightness(dvec3(data.radiance));
+    switch (data.kind) {
+        case LIGHT_POINT: return radiance / distance2;
+        case LIGHT_SPHERE: return radiance * kPi * data.measure * data.measure / distance2;
+        case LIGHT_DISK: return radiance * data.measure / distance2;
+        case LIGHT_INFINITE: return radiance * kPi;
+        case LIGHT_IMAGE: return radiance * kPi * tables.light_luminance;
+        default: return brightness(std::get<DistantLight>(light).radiance);
+    }
+}
+
+// Half of it equal, so that none is forgotten where it happens to be the only one.
+void shareOut(std::vector<LightData>& lights, const std::vector<double>& irradiances) {
+    double sum = 0.0, below = 0.0;
+    for (double irradiance : irradiances) sum += irradiance;
+    const double equal = 1.0 / double(lights.size());
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const double share = sum > 0.0 ? 0.5 * equal + 0.5 * irradiances[i] / sum : equal;
+        below += share;
+        lights[i].share = float(share);
+        lights[i].shares = float(below);
+    }
+}
+
+void packAreaLight(LightData& data, const AreaLight& light, const Scene& scene, const dvec3& first_centre) {
+    const Shape& shape = scene.shapes[std::size_t(light.shape)];
+    data.object = light.shape;
+    data.radiance = narrow(light.radiance, 0.0);
+    data.two_sided = light.two_sided ? 1 : 0;
+    const dmat4& world = shape.world_from_object;
+    const double scale = glm::length(dvec3(world[0]));  // the transform keeps angles
+    if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
+        data.position = narrow(transformPoint(world, dvec3(0.0)) - first_centre, 1.0);
+        data.measure = float(sphere->radius * scale);
+        return;
+    }
+    const Disk& disk = std::get<Disk>(shape.geometry);
+    const double inner = disk.inner_radius / disk.radius, radius = disk.radius * scale;
+    data.position = narrow(transformPoint(world, dvec3(0.0, 0.0, disk.height)) - first_centre, 1.0);
+    data.x_axis = narrow(disk.radius * dvec3(world[0]), 0.0);
+    data.y_axis = narrow(disk.radius * dvec3(world[1]), 0.0);
+    data.z_axis = narrow(transformNormal(glm::inverse(world), dvec3(0.0, 0.0, 1.0)), 0.0);
+    data.inner_squared = float(inner * inner);
+    data.measure = float(kPi * radius * radius * (1.0 - inner * inner));
+}
+
+void packInfiniteLight(LightData& data, const InfiniteLight& light, const SceneMaps& maps, const PathTables& tables) {
+    data.radiance = narrow(light.radiance, 0.0);
+    const dmat3 world_from_light = light.world_from_light;
+    data.x_axis = narrow(world_from_light[0], 0.0);
+    data.y_axis = narrow(world_from_light[1], 0.0);
+    data.z_axis = narrow(world_from_light[2], 0.0);
+    if (data.kind != LIGHT_IMAGE) return;
+    const ColourMap& image = *maps.images[std::size_t(maps.light_image)];
+    data.width = image.width();
+    data.height = image.height();
+    data.image = image.raw().srgb.empty() ? IMAGE_FLOATS : IMAGE_CODES;
+    data.table = tables.light_image;
+}
+
+// 2 int F c dc, by midpoints.
+double meanFresnel(double eta, double k) {
+    constexpr int kSteps = 256;
+    double sum = 0.0;
+    for (int i = 0; i < kSteps; ++i) {
+        const double cosine = (i + 0.5) / kSteps;
+        sum += 2.0 * fresnelOf(cosine, eta, k) * cosine / kSteps;
+    }
+    return sum;
+}
+
+void packConductor(MaterialData& data, const Conductor& conductor, const PathTables& tables) {
+    const PathTables::Loss& loss = tables.losses.at(conductor.alpha);
+    data.table = loss.place;
+    data.alpha = float(conductor.alpha);
+    data.eta = narrow(conductor.eta, 0.0);
+    data.k = narrow(conductor.k, 0.0);
+    if (loss.mean < 1e-9) return;
+    for (int c = 0; c < 3; ++c) {
+        const double fresnel = meanFresnel(conductor.eta[c], conductor.k[c]);
+        const double of_bounced = fresnel * fresnel * (1.0 - loss.mean) / (1.0 - fresnel * loss.mean);
+        data.bounced[c] = float(of_bounced / (kPi * loss.mean));
+    }
+}
+
+void packMatte(MaterialData& data, const Matte& matte) {
+    const double sigma = glm::radians(matte.sigma), variance = sigma * sigma;
+    data.rough_a = float(1.0 - variance / (2.0 * (variance + 0.33)));
+    data.rough_b = float(0.45 * variance / (variance + 0.09));
+}
+
+}  // namespace
+
+std::vector<LightData> packLights(const Scene& scene, const SceneMaps& maps, const PathTables& tables) {
+    const dvec3 first_centre = transformPoint(scene.shapes[0].world_from_object, dvec3(0.0));
+    std::vector<LightData> lights;
+    std::vector<double> irradiances;
+    for (const Light& light : scene.lights) {
+        LightData data = {};
+        data.kind = lightKind(scene, light);
+        data.object = -1;
+        if (const auto* distant = std::get_if<DistantLight>(&light)) {
+            data.position = narrow(distant->direction, 0.0);
+            data.radiance = narrow(distant->radiance, 0.0);
+        } else if (const auto* point = std::get_if<PointLight>(&light)) {
+            data.position = narrow(point->position - first_centre, 1.0);
+            data.radiance = narrow(point->intensity, 0.0);
+        } else if (const auto* infinite = std::get_if<InfiniteLight>(&light)) {
+            packInfiniteLight(data, *infinite, maps, tables);
+        } else {
+            packAreaLight(data, std::get<AreaLight>(light), scene, first_centre);
+        }
+        irradiances.push_back(nearIrradiance(light, data, tables));
+        lights.push_back(data);
+    }
+    if (!lights.empty()) shareOut(lights, irradiances);
+    return lights;
+}
+
+std::vector<MaterialData> packMaterials(const Scene& scene, const PathTables& tables) {
+    std::vector<MaterialData> materials;
+    for (const Shape& shape : scene.shapes) {
+        MaterialData data = {};
+        data.kind = materialKind(shape.material);
+        if (const auto* matte = std::get_if<Matte>(&shape.material)) packMatte(data, *matte);
+        if (const auto* conductor = std::get_if<Conductor>(&shape.material)) packConductor(data, *conductor, tables);
+        if (const auto* mirror = std::get_if<Mirror>(&shape.material)) data.specular = narrow(mirror->reflectance, 0.0);
+        if (const auto* plastic = std::get_if<Plastic>(&shape.material)) {
+            data.specular = narrow(plastic->specular, 0.0);
+            data.alpha = float(plastic->alpha);
+        }
+        if (const auto* board = textureAs<Checkerboard>(shape.material)) {
+            data.odd = narrow(board->odd, 0.0);
+            data.checkerboard = 1;
+            data.u_scale = float(board->u_scale);
+            data.v_scale = float(board->v_scale);
+        }
+        materials.push_back(data);
+    }
+    return materials;
+}
+
+}  // namespace dsphere

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "render/pathtables.h"
+#include "scene/scene.h"
+#include "shaders/layout.h"
+#include "surface/scenemaps.h"
+
+#include <vector>
+
+namespace dsphere {
+
+/// Lights, as seen from the first object's centre: a planet and its lamp may be far from the origin. Image lights lack their
+/// place in the images.
+std::vector<layout::LightData> packLights(const Scene& scene, const SceneMaps& maps, const PathTables& tables);
+
+/// What the shapes are made of, one a shape.
+std::vector<layout::MaterialData> packMaterials(const Scene& scene, const PathTables& tables);
+
+}  // namespace dsphere

@@ -1,0 +1,157 @@
+#include "render/pathtables.h"
+
+#include "base/math.h"
+#include "base/parallel.h"
+#include "shaders/layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace dsphere {
+
+namespace {
+
+double luminance(const dvec3& rgb) {
+    return 0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b;
+}
+
+/// Cumulative shares of the weights, from 0 to 1; equal ones if all are 0.
+void appendDistribution(std::vector<float>& table, std::span<const double> weights, double sum) {
+    double below = 0.0;
+    table.push_back(0.0f);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        below += weights[i];
+        table.push_back(float(sum > 0.0 ? below / sum : double(i + 1) / double(weights.size())));
+    }
+    table.back() = 1.0f;
+}
+
+// Smith's Lambda of GGX.
+double hidden(double cosine, double alpha) {
+    const double tan2 = (1.0 - cosine * cosine) / (cosine * cosine);
+    return 0.5 * (std::sqrt(1.0 + alpha * alpha * tan2) - 1.0);
+}
+
+// One minus the mean of G2 / G1 over the visible facets (Heitz 2018), midpoints of a grid of their sample numbers.
+double lossAt(double cosine, double alpha) {
+    constexpr int kSide = 96;
+    const double c = std::max(cosine, 1e-5);
+    const dvec3 view(std::sqrt(1.0 - c * c), 0.0, c);
+    const dvec3 stretched = glm::normalize(dvec3(alpha * view.x, 0.0, view.z));
+    const dvec3 x = dvec3(0.0, 1.0, 0.0), y = glm::cross(stretched, x);
+    const double own = hidden(c, alpha), s = 0.5 * (1.0 + stretched.z);
+    double sum = 0.0;
+    for (int i = 0; i < kSide; ++i)
+        for (int j = 0; j < kSide; ++j) {
+            const double radius = std::sqrt((i + 0.5) / kSide), angle = 2.0 * kPi * (j + 0.5) / kSide;
+            const double a = radius * std::cos(angle);
+            const double b = (1.0 - s) * std::sqrt(1.0 - a * a) + s * radius * std::sin(angle);
+            const dvec3 facet = a * x + b * y + std::sqrt(std::max(0.0, 1.0 - a * a - b * b)) * stretched;
+            const dvec3 h = glm::normalize(dvec3(alpha * facet.x, alpha * facet.y, std::max(facet.z, 0.0)));
+            const double light = 2.0 * glm::dot(view, h) * h.z - view.z;
+            sum += light > 0.0 ? 1.0 - (1.0 + own) / (1.0 + own + hidden(std::min(light, 1.0), alpha)) : 1.0;
+        }
+    return sum / (kSide * kSide);
+}
+
+// Over all directions.
+double meanLuminance(const ColourMap& image) {
+    double sum = 0.0, weights = 0.0;
+    for (int j = 0; j < image.height(); ++j) {
+        const double weight = std::sin(kPi * (j + 0.5) / image.height());
+        for (int i = 0; i < image.width(); ++i) sum += weight * luminance(image.texel(i, j));
+        weights += weight * image.width();
+    }
+    return sum / weights;
+}
+
+}  // namespace
+
+std::vector<float> filterPlaces(double radius, double falloff) {
+    constexpr int kSteps = 1 << 14;
+    std::vector<double> cumulative(kSteps + 1);
+    auto kernel = [&](double x) { return std::exp(-falloff * x * x) - std::exp(-falloff * radius * radius); };
+    auto place = [&](double step) { return radius * (2.0 * step / kSteps - 1.0); };
+    for (int i = 0; i < kSteps; ++i) cumulative[std::size_t(i) + 1] = cumulative[std::size_t(i)] + kernel(place(i + 0.5));
+    std::vector<float> places = {float(-radius)};
+    for (int k = 1; k < FILTER_INTERVALS; ++k) {
+        const double wanted = cumulative.back() * k / FILTER_INTERVALS;
+        const auto above = std::ranges::upper_bound(cumulative, wanted);
+        const double low = *(above - 1);
+        places.push_back(float(place(double(above - 1 - cumulative.begin()) + (wanted - low) / (*above - low))));
+    }
+    places.push_back(float(radius));
+    return places;
+}
+
+FacetLoss facetLoss(double alpha) {
+    std::vector<double> values(LOSS_INTERVALS + 1);
+    auto cosineAt = [](double place) { return place * place / (double(LOSS_INTERVALS) * LOSS_INTERVALS); };
+    parallelFor(values.size(), [&](std::size_t i) { values[i] = lossAt(cosineAt(double(i)), alpha); });
+    FacetLoss loss;
+    loss.by_cosine.push_back(float(3.0 * values[0] - 3.0 * values[1] + values[2]));
+    for (double value : values) loss.by_cosine.push_back(float(value));
+    const std::size_t n = values.size();
+    loss.by_cosine.push_back(float(3.0 * values[n - 1] - 3.0 * values[n - 2] + values[n - 3]));
+    // With c = t^2: int loss 4 t^3 dt, by Simpson's rule.
+    for (std::size_t i = 0; i < n; ++i) {
+        const double t = double(i) / LOSS_INTERVALS;
+        const double weight = i == 0 || i + 1 == n ? 1.0 : (i % 2 ? 4.0 : 2.0);
+        loss.mean += weight * values[i] * 4.0 * t * t * t / (3.0 * LOSS_INTERVALS);
+    }
+    return loss;
+}
+
+double fresnelOf(double cosine, double eta, double k) {
+    const double c2 = cosine * cosine, s2 = 1.0 - c2, difference = eta * eta - k * k - s2;
+    const double sum = std::sqrt(difference * difference + 4.0 * eta * eta * k * k);
+    const double a = 2.0 * cosine * std::sqrt(std::max(0.0, 0.5 * (sum + difference)));
+    const double across = (sum + c2 - a) / (sum + c2 + a);
+    return 0.5 * across * (1.0 + (c2 * sum + s2 * s2 - a * s2) / (c2 * sum + s2 * s2 + a * s2));
+}
+
+std::vector<float> imageDistribution(const ColourMap& image) {
+    const std::size_t width = std::size_t(image.width()), height = std::size_t(image.height());
+    std::vector<float> rows, columns;
+    std::vector<double> of_row(width), sums(height);
+    double total = 0.0;
+    for (std::size_t j = 0; j < height; ++j) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < width; ++i) sum += of_row[i] = luminance(image.texel(int(i), int(j)));
+        sums[j] = sum * std::sin(kPi * (double(j) + 0.5) / double(height));
+        total += sums[j];
+        appendDistribution(columns, of_row, sum);
+    }
+    appendDistribution(rows, sums, total);
+    rows.insert(rows.end(), columns.begin(), columns.end());
+    return rows;
+}
+
+PathTables makePathTables(const Scene& scene, const SceneMaps& maps) {
+    PathTables tables;
+    auto append = [&](const std::vector<float>& values) {
+        const int place = int(tables.values.size());
+        tables.values.insert(tables.values.end(), values.begin(), values.end());
+        return place;
+    };
+    const PixelFilter& filter = scene.pixel_filter;
+    if (filter.kind == PixelFilter::Kind::Gaussian) {
+        append(filterPlaces(filter.radius.x, filter.falloff));
+        append(filterPlaces(filter.radius.y, filter.falloff));
+    }
+    for (const Shape& shape : scene.shapes) {
+        const auto* conductor = std::get_if<Conductor>(&shape.material);
+        if (!conductor || tables.losses.contains(conductor->alpha)) continue;
+        const FacetLoss loss = facetLoss(conductor->alpha);
+        tables.losses[conductor->alpha] = {append(loss.by_cosine), loss.mean};
+    }
+    if (maps.light_image >= 0) {
+        const ColourMap& image = *maps.images[std::size_t(maps.light_image)];
+        tables.light_image = append(imageDistribution(image));
+        tables.light_luminance = meanLuminance(image);
+    }
+    return tables;
+}
+
+}  // namespace dsphere

@@ -1,0 +1,81 @@
+#include "render/traits.h"
+
+namespace dsphere {
+
+namespace {
+
+std::uint32_t bit(int place) {
+    return 1u << place;
+}
+
+std::uint32_t surfacesOf(const DisplacedSphere& sphere) {
+    if (sphere.ripples) return bit(SURFACE_RIPPLES);
+    if (sphere.filter == Filter::BSpline) return bit(SURFACE_SPLINE);
+    return bit(SURFACE_BILINEAR) | (sphere.smooth_normals ? bit(SURFACE_SMOOTH_NORMALS) : 0u);
+}
+
+int geometryKind(const Geometry& geometry) {
+    if (std::holds_alternative<DisplacedSphere>(geometry)) return KIND_DISPLACED;
+    if (std::holds_alternative<Sphere>(geometry)) return KIND_SPHERE;
+    return std::holds_alternative<Disk>(geometry) ? KIND_DISK : KIND_MESH;
+}
+
+SceneTraits::Paths pathsOf(const Scene& scene) {
+    SceneTraits::Paths paths;
+    paths.materials = 0;
+    for (const Shape& shape : scene.shapes) {
+        paths.materials |= bit(materialKind(shape.material));
+        const auto* matte = std::get_if<Matte>(&shape.material);
+        paths.rough_mattes = paths.rough_mattes || (matte && matte->sigma > 0.0);
+        paths.checkerboards = paths.checkerboards || textureAs<Checkerboard>(shape.material) != nullptr;
+        paths.meshes = paths.meshes || std::holds_alternative<TriangleMesh>(shape.geometry);
+    }
+    for (const Light& light : scene.lights) paths.light_kinds |= bit(lightKind(scene, light));
+    paths.diffuse_paths = scene.integrator.kind == Integrator::Kind::Path;
+    paths.max_depth = std::uint32_t(scene.integrator.max_depth);
+    paths.clamp = float(scene.integrator.clamp);
+    paths.gaussian = scene.pixel_filter.kind == PixelFilter::Kind::Gaussian;
+    paths.radius_x = float(scene.pixel_filter.radius.x);
+    paths.radius_y = float(scene.pixel_filter.radius.y);
+    return paths;
+}
+
+}  // namespace
+
+bool SceneTraits::needsPaths() const {
+    const std::uint32_t delta_lights = bit(LIGHT_DISTANT) | bit(LIGHT_POINT);
+    return paths.materials != bit(MATERIAL_MATTE) || (paths.light_kinds & ~delta_lights) != 0 || paths.rough_mattes ||
+           paths.checkerboards || paths.meshes || paths.diffuse_paths || paths.clamp > 0.0f || paths.gaussian ||
+           paths.radius_x != 0.5f || paths.radius_y != 0.5f;
+}
+
+int lightKind(const Scene& scene, const Light& light) {
+    if (std::holds_alternative<DistantLight>(light)) return LIGHT_DISTANT;
+    if (std::holds_alternative<PointLight>(light)) return LIGHT_POINT;
+    if (const auto* infinite = std::get_if<InfiniteLight>(&light))
+        return infinite->map_path.empty() ? LIGHT_INFINITE : LIGHT_IMAGE;
+    const Shape& shape = scene.shapes[std::size_t(std::get<AreaLight>(light).shape)];
+    return std::holds_alternative<Disk>(shape.geometry) ? LIGHT_DISK : LIGHT_SPHERE;
+}
+
+int materialKind(const Material& material) {
+    if (std::holds_alternative<Conductor>(material)) return MATERIAL_CONDUCTOR;
+    if (std::holds_alternative<Mirror>(material)) return MATERIAL_MIRROR;
+    return std::holds_alternative<Plastic>(material) ? MATERIAL_PLASTIC : MATERIAL_MATTE;
+}
+
+SceneTraits traitsOf(const Scene& scene) {
+    SceneTraits traits;
+    traits.objects = std::uint32_t(scene.shapes.size());
+    traits.lights = std::uint32_t(scene.lights.size());
+    for (const Shape& shape : scene.shapes) {
+        traits.images = traits.images || textureAs<ImageMap>(shape.material) != nullptr;
+        traits.kinds |= bit(geometryKind(shape.geometry));
+        if (const auto* displaced = std::get_if<DisplacedSphere>(&shape.geometry))
+            traits.surfaces |= surfacesOf(*displaced);
+    }
+    traits.paths = pathsOf(scene);
+    return traits;
+}
+
+}  // namespace dsphere

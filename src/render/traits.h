@@ -1,0 +1,43 @@
+#pragma once
+
+#include "scene/scene.h"
+#include "shaders/layout.h"
+
+#include <cstdint>
+
+namespace dsphere {
+
+/// What of a scene pipelines are specialised to: known before its maps are read.
+struct SceneTraits {
+    std::uint32_t objects = 0, lights = 0;
+    std::uint32_t kinds = 0, surfaces = 0;  ///< bit per KIND_ and SURFACE_ in use
+    bool images = false;                    ///< of shapes
+
+    /// What the variants WITH_PATHS alone know. Without it: Lambertian surfaces, distant and point lights, and one box
+    /// as large as a pixel for a filter.
+    struct Paths {
+        std::uint32_t materials = 1u << MATERIAL_MATTE, light_kinds = 0;  ///< bit per MATERIAL_ and LIGHT_ in use
+        bool rough_mattes = false, checkerboards = false, meshes = false;
+        bool diffuse_paths = false;  ///< path, not directlighting
+        std::uint32_t max_depth = 0;
+        float clamp = 0.0f;  ///< 0: none
+        bool gaussian = false;
+        float radius_x = 0.5f, radius_y = 0.5f;
+
+        bool operator==(const Paths&) const = default;
+    } paths;
+
+    bool operator==(const SceneTraits&) const = default;
+    /// Whether the shader variants WITH_CURVED are needed.
+    bool curved() const { return surfaces > 1u << SURFACE_BILINEAR; }
+    /// Whether the variants WITH_PATHS are.
+    bool needsPaths() const;
+};
+
+SceneTraits traitsOf(const Scene& scene);
+
+/// LIGHT_ and MATERIAL_ of the scene's.
+int lightKind(const Scene& scene, const Light& light);
+int materialKind(const Material& material);
+
+}  // namespace dsphere
