@@ -30,16 +30,40 @@ auto loadAt(const SourceLocation& where, Load load) {
     }
 }
 
+/// The index of the image in `images`, which is read when it is not among them.
+int imageIndex(SceneMaps& result, const std::string& path, const SourceLocation& where) {
+    const auto found = std::ranges::find_if(result.images, [&](const auto& image) { return image->path() == path; });
+    const int index = int(found - result.images.begin());
+    if (found == result.images.end()) result.images.push_back(loadAt(where, [&] { return loadColourMap(path); }));
+    return index;
+}
+
 void loadImages(SceneMaps& result, const Scene& scene) {
     for (const Shape& shape : scene.shapes) {
         const auto* texture = textureAs<ImageMap>(shape.material);
-        result.image_of_shape.push_back(-1);
-        if (!texture) continue;
-        const auto found =
-            std::ranges::find_if(result.images, [&](const auto& image) { return image->path() == texture->path; });
-        result.image_of_shape.back() = int(found - result.images.begin());
-        if (found == result.images.end())
-            result.images.push_back(loadAt(texture->where, [&] { return loadColourMap(texture->path); }));
+        result.image_of_shape.push_back(texture ? imageIndex(result, texture->path, texture->where) : -1);
+    }
+}
+
+// pbrt v4's own images of light are square ones in the equal-area octahedral mapping: read as longitude and latitude
+// they would be garbled, silently.
+void loadLightImage(SceneMaps& result, const Scene& scene) {
+    for (const Light& light : scene.lights) {
+        const auto* infinite = std::get_if<InfiniteLight>(&light);
+        if (!infinite || infinite->map_path.empty()) continue;
+        result.light_image = imageIndex(result, infinite->map_path, infinite->where);
+        const ColourMap& image = *result.images[std::size_t(result.light_image)];
+        if (image.width() == image.height())
+            throwInvalid(
+                "{}: {}: the image is square ({}x{}), as pbrt v4's equal-area maps are; supported: equirectangular "
+                "ones, longitude by latitude",
+                infinite->where.text(), image.path(), image.width(), image.height());
+        const auto& values = image.raw().linear;
+        const auto negative = std::ranges::find_if(values, [](float value) { return value < 0.0f; });
+        if (negative != values.end())
+            throwInvalid("{}: {}: the light at column {}, row {} is {}; supported: at least 0", infinite->where.text(),
+                         image.path(), (negative - values.begin()) / 3 % image.width(),
+                         (negative - values.begin()) / 3 / image.width(), *negative);
     }
 }
 
@@ -82,6 +106,7 @@ SceneMaps loadSceneMaps(const Scene& scene) {
         result.reliefs.push_back(makeRelief(*sphere, *result.maps[index], shape.where));
     }
     loadImages(result, scene);
+    loadLightImage(result, scene);
     return result;
 }
 

@@ -15,6 +15,7 @@ struct SceneMaps {
     std::vector<Relief> reliefs;    ///< one a shape; defaults for shapes without a map
     std::vector<std::unique_ptr<ColourMap>> images;
     std::vector<int> image_of_shape;  ///< index in `images`, -1: no image; may be shorter than the shapes
+    int light_image = -1;             ///< index in `images` of the infinite light's, -1: it has none
 
     /// One pointer a shape, nullptr without a map.
     std::vector<const Heightmap*> perShape() const;
@@ -25,7 +26,7 @@ struct SceneMaps {
 };
 
 /// Loads every map and image of the scene. Errors as loadHeightmap, makeRelief and loadColourMap, prefixed by the place
-/// in the scene of the shape or the image's name.
+/// in the scene of the shape or the image's name; also for an infinite light's image that is square or negative.
 SceneMaps loadSceneMaps(const Scene& scene);
 
 }  // namespace dsphere
