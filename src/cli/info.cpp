@@ -1,12 +1,11 @@
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/describe.h"
 #include "cli/sceneoptions.h"
 #include "image/rawmap.h"
 #include "scene/parser.h"
 #include "surface/bounds.h"
 #include "surface/scenemaps.h"
-
-#include <nlohmann/json.hpp>
 
 #include <bit>
 #include <cmath>
@@ -14,12 +13,6 @@
 namespace dsphere::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json vectorJson(const dvec3& v) {
-    return {v.x, v.y, v.z};
-}
 
 const char* nameOf(Registration registration) {
     return registration == Registration::Texel ? "texel" : "gridline";
@@ -112,48 +105,6 @@ Json describeImage(const ColourMap& image) {
             {"device_bytes", 4 * words}};
 }
 
-Json describeCamera(const Camera& camera) {
-    dmat4 world_from_camera = glm::inverse(camera.camera_from_world);
-    Json json = {{"position", vectorJson(transformPoint(world_from_camera, dvec3(0.0)))},
-                 {"direction", vectorJson(glm::normalize(transformVector(world_from_camera, {0.0, 0.0, 1.0})))}};
-    if (camera.projection == Projection::Perspective)
-        json["fov_degrees"] = camera.fov_degrees;
-    else
-        json["projection"] = "orthographic";
-    return json;
-}
-
-Json describeShape(const Scene& scene, const SceneMaps& maps, std::size_t index) {
-    const Shape& shape = scene.shapes[index];
-    Json json = {{"where", shape.where.text()}};
-    if (const auto* sphere = std::get_if<DisplacedSphere>(&shape.geometry)) {
-        const Relief& relief = maps.reliefs[index];
-        json["type"] = "displacedsphere";
-        json["radius"] = sphere->radius;
-        json["displacement"] = {relief.least_radius - sphere->radius, relief.greatest_radius - sphere->radius};
-        json["greatest_radius"] = relief.greatest_radius;
-        json["map"] = maps.map_of_shape[index];
-    } else if (const auto* plain = std::get_if<Sphere>(&shape.geometry)) {
-        json["type"] = "sphere";
-        json["radius"] = plain->radius;
-    } else if (const auto* disk = std::get_if<Disk>(&shape.geometry)) {
-        json["type"] = "disk";
-        json["radius"] = disk->radius;
-    } else {
-        json["type"] = "other";
-    }
-    json["centre"] = vectorJson(transformPoint(shape.world_from_object, dvec3(0.0)));
-    return json;
-}
-
-Json describeLight(const Light& light) {
-    if (const auto* sun = std::get_if<DistantLight>(&light))
-        return {{"type", "distant"}, {"towards", vectorJson(sun->direction)}, {"L", vectorJson(sun->radiance)}};
-    if (const auto* point = std::get_if<PointLight>(&light))
-        return {{"type", "point"}, {"from", vectorJson(point->position)}, {"I", vectorJson(point->intensity)}};
-    return {{"type", "other"}};
-}
-
 Json describeSceneFile(const std::string& path) {
     Scene scene = parseSceneFile(path);
     SceneMaps maps = loadSceneMaps(scene);
@@ -163,6 +114,8 @@ Json describeSceneFile(const std::string& path) {
                    {"resolution", {scene.film.width, scene.film.height}},
                    {"crop", scene.film.crop},
                    {"pixel_samples", scene.sampler.pixel_samples}}},
+                 {"integrator", describeIntegrator(scene.integrator)},
+                 {"pixel_filter", describePixelFilter(scene.pixel_filter)},
                  {"camera", describeCamera(scene.camera)},
                  {"shapes", Json::array()},
                  {"maps", Json::array()},
@@ -171,7 +124,7 @@ Json describeSceneFile(const std::string& path) {
     for (std::size_t k = 0; k < scene.shapes.size(); ++k) json["shapes"].push_back(describeShape(scene, maps, k));
     for (const auto& map : maps.maps) json["maps"].push_back(describeMap(*map));
     for (const auto& image : maps.images) json["images"].push_back(describeImage(*image));
-    for (const Light& light : scene.lights) json["lights"].push_back(describeLight(light));
+    for (const Light& light : scene.lights) json["lights"].push_back(describeLight(light, maps));
     return json;
 }
 

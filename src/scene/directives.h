@@ -37,6 +37,7 @@ void camera(Statement s);
 void film(Statement s);
 void sampler(Statement s);
 void integrator(Statement s);
+void pixelFilter(Statement s);
 
 // block_directives.cpp
 void worldBegin(Statement s);
@@ -48,14 +49,20 @@ void transformEnd(Statement s);
 /// Fails at the innermost block that is still open; `before` says what came instead of its end.
 void requireNoOpenBlock(const ParseState& state, std::string_view before);
 
-// material_directives.cpp
+// material_directives.cpp and texture_directives.cpp
 void material(Statement s);
 void makeNamedMaterial(Statement s);
 void namedMaterial(Statement s);
 void texture(Statement s);
+/// The texture of a parameter of type rgb or texture, cut to [0, 1] if it is constant. Fails for an undefined name.
+Texture textureValue(Statement s, const Parameter& parameter);
+/// The colour of a parameter of type rgb, float or texture, within `range`. Fails for a texture that varies.
+dvec3 constantValue(Statement s, const Parameter& parameter, const Range& range);
 
-// light_directives.cpp and shape_directives.cpp
+// light_directives.cpp, shape_directives.cpp and trianglemesh.cpp
 void lightSource(Statement s);
+void areaLightSource(Statement s);
+TriangleMesh triangleMesh(Statement s, Parameters& p);
 void shape(Statement s);
 
 }  // namespace dsphere

@@ -13,6 +13,7 @@ constexpr const char* kScene = R"(
 Scale -1 1 1
 LookAt 0.6 1.05 3.19   0 0 0   0 1 0
 Camera "perspective" "float fov" 39.5
+Integrator "directlighting"
 WorldBegin
 LightSource "distant" "point3 from" [-2 1.5 2.2] "point3 to" [0 0 0] "rgb L" [4.5 4.5 4.5]
 Shape "displacedsphere" "float maxdispl" 5

@@ -10,6 +10,9 @@ namespace {
 constexpr int kMaxResolution = 65536;  // pixels a side
 constexpr int kMaxPixelSamples = 1 << 20;
 constexpr int kMaxInteger = std::numeric_limits<int>::max();
+constexpr Range kFilterRadius{0.01, 8.0};  // pixels
+// The falloff stays within 0.001 to 1000, in both spellings.
+constexpr Range kFilterAlpha{0.001, 1000.0}, kFilterSigma{0.03, 20.0};
 
 // pbrt's rule: a crop keeps the pixels from ceil(from * size) to before ceil(to * size).
 bool cropIsEmpty(double from, double to, int size) {
@@ -73,9 +76,54 @@ void sampler(Statement s) {
 
 void integrator(Statement s) {
     requireOnce(s);
-    auto [name, p] = readNamed(s, "integrator", {"directlighting"});
-    p.integer("maxdepth", 1, kMaxInteger);  // checked, and of no effect while no material reflects the scene
+    auto [name, p] = readNamed(s, "integrator", {"directlighting", "path", "volpath"});
+    Integrator& integrator = s.state.scene.integrator;
+    // Without volumes volpath is path.
+    integrator.kind = name.text == "directlighting" ? Integrator::Kind::DirectLighting : Integrator::Kind::Path;
+    integrator.max_depth = p.integer("maxdepth", 0, kMaxInteger).value_or(integrator.max_depth);
     p.finish();
+}
+
+namespace {
+
+// v3 says xwidth for what v4 calls xradius; the two cannot be mixed, since their defaults differ.
+struct FilterSpelling {
+    std::optional<double> x, y;
+    std::optional<SourceLocation> where;  // of the first parameter that is given, alpha and sigma included
+    std::string_view word;                // that parameter
+};
+
+FilterSpelling spelled(Parameters& p, std::initializer_list<std::string_view> words) {
+    FilterSpelling result;
+    for (std::string_view word : words) {
+        std::optional<SourceLocation> where = p.placeOf(word);
+        if (where && !result.where) result.where = where, result.word = word;
+    }
+    result.x = p.number(words.begin()[0], kFilterRadius);
+    result.y = p.number(words.begin()[1], kFilterRadius);
+    return result;
+}
+
+}  // namespace
+
+void pixelFilter(Statement s) {
+    requireOnce(s);
+    auto [name, p] = readNamed(s, "pixel filter", {"box", "gaussian"});
+    const bool gaussian = name.text == "gaussian";
+    FilterSpelling v3 = spelled(p, {"xwidth", "ywidth", "alpha"}), v4 = spelled(p, {"xradius", "yradius", "sigma"});
+    std::optional<double> alpha, sigma;
+    if (gaussian) alpha = p.number("alpha", kFilterAlpha), sigma = p.number("sigma", kFilterSigma);
+    p.finish();
+    if (v3.where && v4.where)
+        failAt(*v4.where, "{} is pbrt v4's, and {} (at {}) is pbrt v3's: give one spelling", v4.word, v3.word,
+               v3.where->text());
+    PixelFilter& filter = s.state.scene.pixel_filter;
+    filter.kind = gaussian ? PixelFilter::Kind::Gaussian : PixelFilter::Kind::Box;
+    const double radius = !gaussian ? 0.5 : v3.where ? 2.0 : 1.5;
+    filter.radius = v3.where ? dvec2(v3.x.value_or(radius), v3.y.value_or(radius))
+                             : dvec2(v4.x.value_or(radius), v4.y.value_or(radius));
+    if (alpha) filter.falloff = *alpha;
+    if (sigma) filter.falloff = 1.0 / (2.0 * *sigma * *sigma);
 }
 
 }  // namespace dsphere

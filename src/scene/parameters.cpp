@@ -8,8 +8,8 @@ namespace dsphere {
 
 namespace {
 
-const Words kTypes = {"float",  "integer", "string",  "bool",   "rgb",     "color",   "point",
-                      "point3", "vector",  "vector3", "normal", "normal3", "texture", "spectrum"};
+const Words kTypes = {"float",  "integer", "string",  "bool",   "rgb",     "color",   "point",   "point3",
+                      "point2", "vector",  "vector3", "normal", "normal3", "texture", "spectrum"};
 
 std::string_view plainType(std::string_view type) {
     if (type == "color") return "rgb";
@@ -185,6 +185,17 @@ dvec3 tripleValue(const Parameter& parameter, const Range& range) {
     dvec3 triple;
     for (int i = 0; i < 3; ++i) triple[i] = numberIn(parameter.values[i], parameter, range);
     return triple;
+}
+
+std::vector<double> listValue(const Parameter& parameter, std::size_t per_item, std::string_view what,
+                              std::size_t most) {
+    const std::size_t count = parameter.values.size();
+    if (count == 0 || count % per_item != 0 || count / per_item > most)
+        failAt(parameter.where, "parameter {} has {} numbers; supported: {} for each of 1 to {} {}",
+               quoted(parameter.name), count, per_item, most, what);
+    std::vector<double> numbers;
+    for (const Token& token : parameter.values) numbers.push_back(numberOf(token));
+    return numbers;
 }
 
 const Token& stringValue(const Parameter& parameter) {

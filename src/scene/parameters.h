@@ -79,5 +79,8 @@ class Parameters {
 double numberValue(const Parameter& parameter, const Range& range);
 dvec3 tripleValue(const Parameter& parameter, const Range& range);
 const Token& stringValue(const Parameter& parameter);
+/// Any number of numbers, a multiple of `per_item`, of `what` ("points") at most `most` items.
+std::vector<double> listValue(const Parameter& parameter, std::size_t per_item, std::string_view what,
+                              std::size_t most);
 
 }  // namespace dsphere

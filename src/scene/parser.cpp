@@ -38,6 +38,7 @@ constexpr Directive kDirectives[] = {
     {"Film", Place::BeforeWorld, film},
     {"Sampler", Place::BeforeWorld, sampler},
     {"Integrator", Place::BeforeWorld, integrator},
+    {"PixelFilter", Place::BeforeWorld, pixelFilter},
     {"WorldBegin", Place::BeforeWorld, worldBegin},
     {"WorldEnd", Place::InWorld, worldEnd},
     {"AttributeBegin", Place::InWorld, attributeBegin},
@@ -49,6 +50,7 @@ constexpr Directive kDirectives[] = {
     {"NamedMaterial", Place::InWorld, namedMaterial},
     {"Texture", Place::InWorld, texture},
     {"LightSource", Place::InWorld, lightSource},
+    {"AreaLightSource", Place::InWorld, areaLightSource},
     {"Shape", Place::InWorld, shape},
 };
 
@@ -125,6 +127,7 @@ NamedParameters readNamed(Statement s, std::string_view what, const Words& suppo
 Scene parseScene(std::string_view text, const std::string& name, const std::filesystem::path& folder) {
     ParseState state;
     state.scene.name = name;
+    state.scene.integrator.kind = Integrator::Kind::Path;
     Source source{Lexer(text, name), folder};
     Token end = parseAll(state, source);
     if (state.part == Part::Options) failAt(end.where, "the scene has no WorldBegin");

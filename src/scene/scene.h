@@ -67,8 +67,9 @@ struct PixelFilter {
     enum class Kind { Box, Gaussian };
 
     Kind kind = Kind::Box;
-    dvec2 radius{0.5};        ///< in pixels, > 0, at most 8
-    double falloff = 2.0;     ///< Gaussian: exp(-falloff x^2) - exp(-falloff radius^2); pbrt v3's alpha, v4's 1 / (2 sigma^2)
+    dvec2 radius{0.5};     ///< in pixels, > 0, at most 8
+    double falloff = 2.0;  ///< Gaussian: exp(-falloff x^2) - exp(-falloff radius^2), 0.001 to 1000; pbrt v3's alpha,
+                           ///< v4's 1 / (2 sigma^2)
 
     bool operator==(const PixelFilter&) const = default;
 };
@@ -145,8 +146,8 @@ struct HeightRamp {
 /// An image, read bilinearly and repeated. On a displaced sphere it lies as the heights do, row 0 in the north; on
 /// other shapes by pbrt's own (u, v), row 0 at v = 1.
 struct ImageMap {
-    std::string path;    ///< resolved against the scene file's folder
-    dvec3 scale{1.0};    ///< 0 or greater; the product is cut to [0, 1]
+    std::string path;  ///< resolved against the scene file's folder
+    dvec3 scale{1.0};  ///< 0 or greater; the product is cut to [0, 1]
     SourceLocation where;
 
     bool operator==(const ImageMap& other) const { return path == other.path && scale == other.scale; }
@@ -172,7 +173,7 @@ struct Matte {
 
 /// A rough metal: GGX facets that reflect as Fresnel's equations say, light that bounces between them included.
 struct Conductor {
-    dvec3 eta{0.2004, 0.9240, 1.1022}, k{3.9129, 2.4528, 2.1421};  ///< complex index of refraction, RGB; 0 or greater
+    dvec3 eta{0.2004, 0.9240, 1.1022}, k{3.9129, 2.4528, 2.1421};  ///< complex index of refraction, RGB; 0 to 1000
     double alpha = 0.1;                                            ///< GGX's, 0.001 to 1
 
     bool operator==(const Conductor&) const = default;
@@ -224,11 +225,11 @@ struct PointLight {
 
 /// Light from everywhere far away: constant, or an equirectangular image of it. A scene has at most one.
 struct InfiniteLight {
-    dvec3 radiance{1.0};             ///< L times scale; multiplies the image
-    std::string map_path;            ///< resolved; empty: constant
-    dmat3 world_from_light{1.0};     ///< a rotation, perhaps mirrored. The image's top is +z; from +x at its left edge it runs
-                                     ///< towards +y
-    SourceLocation where;            ///< of the image's name
+    dvec3 radiance{1.0};          ///< L times scale; multiplies the image
+    std::string map_path;         ///< resolved; empty: constant
+    dmat3 world_from_light{1.0};  ///< a rotation, perhaps mirrored. The image's top is +z; from +x at its left edge it
+                                  ///< runs towards +y
+    SourceLocation where;  ///< of the image's name
 
     bool operator==(const InfiniteLight& other) const {
         return radiance == other.radiance && map_path == other.map_path && world_from_light == other.world_from_light;
@@ -237,8 +238,8 @@ struct InfiniteLight {
 
 /// A sphere or a disk that shines; its transform keeps angles. A sphere shines outward, a disk from its +z side.
 struct AreaLight {
-    int shape = 0;         ///< index in Scene::shapes
-    dvec3 radiance{1.0};   ///< L times scale
+    int shape = 0;        ///< index in Scene::shapes
+    dvec3 radiance{1.0};  ///< L times scale
     bool two_sided = false;
 
     bool operator==(const AreaLight&) const = default;

@@ -81,8 +81,27 @@ Disk disk(Statement s, Parameters& p) {
 
 }  // namespace
 
+namespace {
+
+// The shape just parsed shines as the attributes say: its index is the next one.
+void addAreaLight(Statement s, std::string_view kind, const Shape& shape) {
+    const Emission& emission = *s.state.attributes.emission;
+    if (kind != "sphere" && kind != "disk")
+        failAt(s.word.where, "an AreaLightSource holds for this {}, which cannot shine; supported: sphere, disk", kind);
+    if (emission.two_sided && kind == "sphere")
+        failAt(s.word.where, "a sphere cannot shine on both sides; supported: twosided on a disk");
+    if (!angleKeepingScale(dmat3(shape.world_from_object)))
+        failAt(s.word.where,
+               "the transform of this {} that shines changes angles; supported: rotations, mirrorings and uniform "
+               "scales",
+               kind);
+    s.state.scene.lights.push_back(AreaLight{int(s.state.scene.shapes.size()), emission.radiance, emission.two_sided});
+}
+
+}  // namespace
+
 void shape(Statement s) {
-    auto [name, p] = readNamed(s, "shape", {"displacedsphere", "sphere", "disk"});
+    auto [name, p] = readNamed(s, "shape", {"displacedsphere", "sphere", "disk", "trianglemesh"});
     Shape shape;
     shape.world_from_object = s.state.attributes.ctm;
     shape.material = s.state.attributes.material;
@@ -92,12 +111,15 @@ void shape(Statement s) {
         shape.geometry = displacedSphere(s, p);
     else if (name.text == "sphere")
         shape.geometry = plainSphere(p);
-    else
+    else if (name.text == "disk")
         shape.geometry = disk(s, p);
+    else
+        shape.geometry = triangleMesh(s, p);
     bool by_height = textureAs<HeightRamp>(shape.material) != nullptr;
     if (by_height && name.text != "displacedsphere")
         failAt(s.word.where, "a heightramp colours by height, which a {} has not; supported on: displacedsphere",
                name.text);
+    if (s.state.attributes.emission) addAreaLight(s, name.text, shape);
     s.state.scene.shapes.push_back(std::move(shape));
 }
 

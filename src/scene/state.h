@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,10 +24,17 @@ struct Source {
     std::string resolve(const std::string& path) const { return (folder / path).string(); }
 };
 
+/// What AreaLightSource says of the shapes that follow.
+struct Emission {
+    dvec3 radiance{1.0};
+    bool two_sided = false;
+};
+
 /// What AttributeBegin saves; TransformBegin saves the transform alone.
 struct Attributes {
     dmat4 ctm{1.0};
     Material material;
+    std::optional<Emission> emission;
 };
 
 struct OpenBlock {
@@ -44,8 +52,8 @@ struct ParseState {
     std::vector<OpenBlock> blocks;
     std::map<std::string, SourceLocation, std::less<>> given;  ///< directives that may stand only once
     std::map<std::string, Material, std::less<>> materials;    ///< by name
-    std::map<std::string, Texture, std::less<>> textures;      ///< by name
-    int includes = 0;                                          ///< Include directives met so far
+    std::map<std::string, Texture, std::less<>> textures;  ///< by name; products are cut to [0, 1] by who takes them
+    int includes = 0;                                      ///< Include directives met so far
 };
 
 }  // namespace dsphere

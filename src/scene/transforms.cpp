@@ -44,6 +44,18 @@ bool isFinite(const dmat4& m) {
     return true;
 }
 
+std::optional<double> angleKeepingScale(const dmat3& m) {
+    constexpr double kTolerance = 1e-5;  // written matrices have six digits
+    const double scale = glm::length(m[0]);
+    if (!(scale > 0.0) || std::isinf(scale)) return {};
+    const dmat3 unit(m[0] / scale, m[1] / scale, m[2] / scale);
+    const dmat3 gram = glm::transpose(unit) * unit;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
+            if (!(std::abs(gram[column][row] - (row == column ? 1.0 : 0.0)) <= kTolerance)) return {};
+    return scale;
+}
+
 bool isInvertible(const dmat4& m) {
     dmat3 unit_columns;
     for (int column = 0; column < 3; ++column) {

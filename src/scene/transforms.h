@@ -24,4 +24,8 @@ bool isFinite(const dmat4& m);
 /// over 1e-12, and glm::inverse stays finite (a uniform scale of 1e-150 underflows it).
 bool isInvertible(const dmat4& m);
 
+/// The factor by which a linear map that keeps angles (rotation, mirroring, uniform scale) lengthens vectors; unset for
+/// one that does not keep them to 1e-5.
+std::optional<double> angleKeepingScale(const dmat3& m);
+
 }  // namespace dsphere

@@ -66,22 +66,24 @@ void lightSection(Ui& ui) {
 }
 
 void materialSection(Ui& ui) {
+    if (!ui.material) return;
     heading("Material");
+    Texture& texture = *ui.material;
     std::string current = "colour Kd";
-    if (const auto* ramp = std::get_if<HeightRamp>(&ui.material)) current = ramp->ramp;
-    if (std::holds_alternative<ImageMap>(ui.material)) current = "image";
+    if (const auto* ramp = std::get_if<HeightRamp>(&texture)) current = ramp->ramp;
+    if (std::holds_alternative<ImageMap>(texture)) current = "image";
+    if (std::holds_alternative<Checkerboard>(texture)) current = "checkerboard";
     if (ImGui::BeginCombo("material", current.c_str())) {
-        if (ImGui::Selectable("colour Kd", std::holds_alternative<ConstantColour>(ui.material)))
-            ui.material = ConstantColour{};
+        if (ImGui::Selectable("colour Kd", std::holds_alternative<ConstantColour>(texture))) texture = ConstantColour{};
         if (ui.displaced)
             for (const Ramp& ramp : ramps()) {
                 std::string name(ramp.name);
-                if (ImGui::Selectable(name.c_str(), name == current)) ui.material = HeightRamp{.ramp = name};
+                if (ImGui::Selectable(name.c_str(), name == current)) texture = HeightRamp{.ramp = name};
             }
-        if (ui.image && ImGui::Selectable("image", current == "image")) ui.material = *ui.image;
+        if (ui.image && ImGui::Selectable("image", current == "image")) texture = *ui.image;
         ImGui::EndCombo();
     }
-    if (auto* constant = std::get_if<ConstantColour>(&ui.material)) {
+    if (auto* constant = std::get_if<ConstantColour>(&texture)) {
         float rgb[3] = {float(constant->rgb.x), float(constant->rgb.y), float(constant->rgb.z)};
         if (ImGui::ColorEdit3("Kd", rgb, ImGuiColorEditFlags_Float))
             constant->rgb = {double(rgb[0]), double(rgb[1]), double(rgb[2])};

@@ -17,7 +17,7 @@ std::string triple(const dvec3& v) {
     return fmt::format("[{} {} {}]", number(v.x), number(v.y), number(v.z));
 }
 
-std::string quoted(const std::string& text) {
+std::string inQuotes(const std::string& text) {
     std::string result = "\"";
     for (char c : text) {
         if (c == '"' || c == '\\') result += '\\';
@@ -40,19 +40,10 @@ dvec3 survivingMultiple(const dvec3& direction) {
     return direction;
 }
 
-std::string lightText(const Light& light) {
-    if (const auto* distant = std::get_if<DistantLight>(&light))
-        return fmt::format("LightSource \"distant\" \"point3 from\" {} \"point3 to\" [0 0 0] \"rgb L\" {}\n",
-                           triple(survivingMultiple(distant->direction)), triple(distant->radiance));
-    const auto& point = std::get<PointLight>(light);
-    return fmt::format("LightSource \"point\" \"point3 from\" {} \"rgb I\" {}\n", triple(point.position),
-                       triple(point.intensity));
-}
-
 std::string relativeTo(const std::filesystem::path& folder, const std::string& path) {
     std::error_code error;
     std::filesystem::path relative = std::filesystem::proximate(path, folder, error);
-    return quoted(error ? path : relative.string());
+    return inQuotes(error ? path : relative.string());
 }
 
 void appendNumber(std::string& text, const char* name, const std::optional<double>& value) {
@@ -84,31 +75,157 @@ std::string displacedText(const DisplacedSphere& sphere, const std::filesystem::
     return text + "\n";
 }
 
+std::string meshText(const TriangleMesh& mesh) {
+    std::string points, indices, uvs;
+    for (const dvec3& p : mesh.points) points += fmt::format(" {} {} {}", number(p.x), number(p.y), number(p.z));
+    for (const auto& [i, j, k] : mesh.triangles) indices += fmt::format(" {} {} {}", i, j, k);
+    for (const dvec2& uv : mesh.uvs) uvs += fmt::format(" {} {}", number(uv.x), number(uv.y));
+    std::string text =
+        fmt::format("Shape \"trianglemesh\" \"point3 P\" [{} ]\n    \"integer indices\" [{} ]", points, indices);
+    if (!mesh.uvs.empty()) text += fmt::format("\n    \"point2 uv\" [{} ]", uvs);
+    return text + "\n";
+}
+
 std::string geometryText(const Shape& shape, const std::filesystem::path& folder) {
     if (const auto* sphere = std::get_if<Sphere>(&shape.geometry))
         return fmt::format("Shape \"sphere\" \"float radius\" {}\n", number(sphere->radius));
     if (const auto* disk = std::get_if<Disk>(&shape.geometry))
         return fmt::format("Shape \"disk\" \"float height\" {} \"float radius\" {} \"float innerradius\" {}\n",
                            number(disk->height), number(disk->radius), number(disk->inner_radius));
+    if (const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry)) return meshText(*mesh);
     return displacedText(std::get<DisplacedSphere>(shape.geometry), folder);
 }
 
-std::string shapeText(const Shape& shape, std::size_t index, const std::filesystem::path& folder) {
-    std::string text = "AttributeBegin\n";
-    const Texture& texture = *textureOf(shape.material);
-    if (const auto* constant = std::get_if<ConstantColour>(&texture)) {
-        text += fmt::format("Material \"matte\" \"rgb Kd\" {}\n", triple(constant->rgb));
-    } else {
-        if (const auto* ramp = std::get_if<HeightRamp>(&texture))
-            text += fmt::format("Texture \"kd{}\" \"spectrum\" \"heightramp\" \"string ramp\" {}\n", index,
-                                quoted(ramp->ramp));
-        if (const auto* image = std::get_if<ImageMap>(&texture))
-            text +=
-                fmt::format("Texture \"kd{}\" \"spectrum\" \"imagemap\" \"string filename\" {} \"float scale\" {}\n",
-                            index, relativeTo(folder, image->path), number(image->scale.r));
-        text += fmt::format("Material \"matte\" \"texture Kd\" \"kd{}\"\n", index);
+/// A colour as a parameter, and the Texture directives that go before whoever has it.
+struct ColourText {
+    std::string textures, parameter;
+};
+
+// What a texture's own directive cannot say of its scale another texture does.
+ColourText scaledTexture(const std::string& name, const std::string& words, const dvec3& scale, const char* parameter) {
+    ColourText text{fmt::format("Texture {} \"spectrum\" {}\n", inQuotes(name), words), name};
+    if (scale != dvec3(1.0)) {
+        text.parameter = name + " scaled";
+        text.textures += fmt::format("Texture {} \"spectrum\" \"scale\" \"texture tex\" {} \"rgb scale\" {}\n",
+                                     inQuotes(text.parameter), inQuotes(name), triple(scale));
     }
+    text.parameter = fmt::format(" \"texture {}\" {}", parameter, inQuotes(text.parameter));
+    return text;
+}
+
+ColourText colourText(const Texture& texture, const char* parameter, const std::string& name,
+                      const std::filesystem::path& folder) {
+    if (const auto* constant = std::get_if<ConstantColour>(&texture))
+        return {"", fmt::format(" \"rgb {}\" {}", parameter, triple(constant->rgb))};
+    if (const auto* ramp = std::get_if<HeightRamp>(&texture))
+        return scaledTexture(name, fmt::format("\"heightramp\" \"string ramp\" {}", inQuotes(ramp->ramp)), ramp->scale,
+                             parameter);
+    if (const auto* image = std::get_if<ImageMap>(&texture)) {
+        std::string words = fmt::format("\"imagemap\" \"string filename\" {}", relativeTo(folder, image->path));
+        const bool grey = image->scale == dvec3(image->scale.r);
+        if (grey) words += fmt::format(" \"float scale\" {}", number(image->scale.r));
+        return scaledTexture(name, words, grey ? dvec3(1.0) : image->scale, parameter);
+    }
+    const auto& board = std::get<Checkerboard>(texture);
+    return scaledTexture(
+        name,
+        fmt::format("\"checkerboard\" \"rgb tex1\" {} \"rgb tex2\" {} \"float uscale\" {} "
+                    "\"float vscale\" {}",
+                    triple(board.even), triple(board.odd), number(board.u_scale), number(board.v_scale)),
+        dvec3(1.0), parameter);
+}
+
+std::string roughness(double alpha) {
+    return fmt::format(" \"float roughness\" {} \"bool remaproughness\" false\n", number(alpha));
+}
+
+std::string materialText(const Material& material, std::size_t index, const std::filesystem::path& folder) {
+    ColourText colour;
+    if (const Texture* texture = textureOf(material))
+        colour = colourText(*texture, "Kd", fmt::format("kd{}", index), folder);
+    std::string text = colour.textures + "Material ";
+    if (const auto* matte = std::get_if<Matte>(&material)) {
+        text += "\"matte\"" + colour.parameter;
+        if (matte->sigma != 0.0) appendNumber(text, "sigma", matte->sigma);
+        return text + "\n";
+    }
+    if (const auto* metal = std::get_if<Conductor>(&material))
+        return text + fmt::format("\"conductor\" \"rgb eta\" {} \"rgb k\" {}", triple(metal->eta), triple(metal->k)) +
+               roughness(metal->alpha);
+    if (const auto* mirror = std::get_if<Mirror>(&material))
+        return text + fmt::format("\"mirror\" \"rgb Kr\" {}\n", triple(mirror->reflectance));
+    const auto& plastic = std::get<Plastic>(material);
+    return text + fmt::format("\"plastic\"{} \"rgb Ks\" {}", colour.parameter, triple(plastic.specular)) +
+           roughness(plastic.alpha);
+}
+
+std::string shapeText(const Shape& shape, std::size_t index, const AreaLight* light,
+                      const std::filesystem::path& folder) {
+    std::string text = "AttributeBegin\n" + materialText(shape.material, index, folder);
+    if (light)
+        text += fmt::format("AreaLightSource \"diffuse\" \"rgb L\" {} \"bool twosided\" {}\n", triple(light->radiance),
+                            light->two_sided);
     return text + transformText(shape.world_from_object) + geometryText(shape, folder) + "AttributeEnd\n";
+}
+
+std::string infiniteText(const InfiniteLight& light, const std::filesystem::path& folder) {
+    std::string text = "AttributeBegin\n" + transformText(dmat4(light.world_from_light)) +
+                       fmt::format("LightSource \"infinite\" \"rgb L\" {}", triple(light.radiance));
+    if (!light.map_path.empty()) text += " \"string filename\" " + relativeTo(folder, light.map_path);
+    return text + "\nAttributeEnd\n";
+}
+
+/// Of a light that is no shape's.
+std::string lightText(const Light& light, const std::filesystem::path& folder) {
+    if (const auto* distant = std::get_if<DistantLight>(&light))
+        return fmt::format("LightSource \"distant\" \"point3 from\" {} \"point3 to\" [0 0 0] \"rgb L\" {}\n",
+                           triple(survivingMultiple(distant->direction)), triple(distant->radiance));
+    if (const auto* infinite = std::get_if<InfiniteLight>(&light)) return infiniteText(*infinite, folder);
+    const auto& point = std::get<PointLight>(light);
+    return fmt::format("LightSource \"point\" \"point3 from\" {} \"rgb I\" {}\n", triple(point.position),
+                       triple(point.intensity));
+}
+
+// A shape that shines is a light where it stands: shapes go between the lights so that both keep their order.
+std::string worldText(const Scene& scene, const std::filesystem::path& folder) {
+    std::string text;
+    std::size_t next = 0;
+    auto shapesBefore = [&](std::size_t end) {
+        for (; next < end; ++next) text += shapeText(scene.shapes[next], next, nullptr, folder);
+    };
+    for (const Light& light : scene.lights) {
+        if (const auto* area = std::get_if<AreaLight>(&light)) {
+            shapesBefore(std::size_t(area->shape));
+            text += shapeText(scene.shapes[next], next, area, folder);
+            ++next;
+        } else {
+            text += lightText(light, folder);
+        }
+    }
+    shapesBefore(scene.shapes.size());
+    return text;
+}
+
+std::string optionsText(const Scene& scene) {
+    const Film& film = scene.film;
+    std::string text =
+        fmt::format("Film \"rgb\" \"string filename\" {} \"integer xresolution\" {} \"integer yresolution\" {}",
+                    inQuotes(film.filename), film.width, film.height);
+    if (film.crop != Film{}.crop)
+        text += fmt::format(" \"float cropwindow\" [{} {} {} {}]", number(film.crop[0]), number(film.crop[1]),
+                            number(film.crop[2]), number(film.crop[3]));
+    text += fmt::format("\nSampler \"independent\" \"integer pixelsamples\" {} \"integer seed\" {}\n",
+                        scene.sampler.pixel_samples, scene.sampler.seed);
+    const bool path = scene.integrator.kind == Integrator::Kind::Path;
+    text += fmt::format("Integrator \"{}\" \"integer maxdepth\" {}\n", path ? "path" : "directlighting",
+                        scene.integrator.max_depth);
+    // v3's spelling: its alpha is the falloff itself.
+    const PixelFilter& filter = scene.pixel_filter;
+    const bool gaussian = filter.kind == PixelFilter::Kind::Gaussian;
+    text += fmt::format("PixelFilter \"{}\" \"float xwidth\" {} \"float ywidth\" {}", gaussian ? "gaussian" : "box",
+                        number(filter.radius.x), number(filter.radius.y));
+    if (gaussian) appendNumber(text, "alpha", filter.falloff);
+    return text + "\n";
 }
 
 }  // namespace
@@ -127,14 +244,7 @@ std::string cameraText(const Camera& camera) {
 }
 
 std::string sceneText(const Scene& scene, const std::filesystem::path& folder) {
-    std::string text = cameraText(scene.camera);
-    text += fmt::format("Film \"rgb\" \"string filename\" {} \"integer xresolution\" {} \"integer yresolution\" {}\n",
-                        quoted(scene.film.filename), scene.film.width, scene.film.height);
-    text += fmt::format("Sampler \"independent\" \"integer pixelsamples\" {} \"integer seed\" {}\nWorldBegin\n",
-                        scene.sampler.pixel_samples, scene.sampler.seed);
-    for (const Light& light : scene.lights) text += lightText(light);
-    for (std::size_t i = 0; i < scene.shapes.size(); ++i) text += shapeText(scene.shapes[i], i, folder);
-    return text;
+    return cameraText(scene.camera) + optionsText(scene) + "WorldBegin\n" + worldText(scene, folder);
 }
 
 }  // namespace dsphere::viewer

@@ -102,11 +102,12 @@ void App::fillUi() {
     const auto* globe = std::get_if<DisplacedSphere>(&shape.geometry);
     ui_.displaced = globe != nullptr;
     ui_.ripples = globe && globe->ripples;
-    ui_.material = *textureOf(shape.material);
+    const Texture* texture = textureOf(shape.material);
+    ui_.material = texture ? std::optional(*texture) : std::nullopt;
     ui_.sun = sunAngles();
-    const Texture& original = *textureOf(document.original.shapes[Globe::shapeOf(document.original)].material);
+    const Material& original = document.original.shapes[Globe::shapeOf(document.original)].material;
     ui_.image.reset();
-    if (const auto* image = std::get_if<ImageMap>(&original)) ui_.image = *image;
+    if (const auto* image = textureAs<ImageMap>(original)) ui_.image = *image;
 }
 
 void App::applyUi() {
@@ -122,8 +123,8 @@ void App::applyUi() {
     if (view_.method.detail > 0.0f) wanted_tuning_.levels = Levels::All;
     if (ui_.sun && !(*ui_.sun == *sunAngles())) setSun(*ui_.sun);
     const Document& document = stage_->document();
-    if (!(ui_.material == *textureOf(document.scene.shapes[Globe::shapeOf(document.scene)].material)))
-        applyMaterial(ui_.material);
+    const Texture* present = textureOf(document.scene.shapes[Globe::shapeOf(document.scene)].material);
+    if (ui_.material && present && !(*ui_.material == *present)) applyMaterial(*ui_.material);
     if (command != Command::None) runCommand(command);
 }
 

@@ -34,10 +34,10 @@ struct Ui {
     ViewSettings view;
     ToneSettings tone;
     Tuning tuning;
-    bool ripples = false;           ///< the globe has no map, and so no filter
-    Texture material;               ///< of the globe
-    std::optional<ImageMap> image;  ///< that the file gives the globe
-    std::optional<SunAngles> sun;   ///< unset: the scene has no distant light
+    bool ripples = false;             ///< the globe has no map, and so no filter
+    std::optional<Texture> material;  ///< the texture of the globe's; unset: a metal or a mirror has none
+    std::optional<ImageMap> image;    ///< that the file gives the globe
+    std::optional<SunAngles> sun;     ///< unset: the scene has no distant light
     bool panel_open = false, keys_open = false;
     bool displaced = false;  ///< the globe has a relief
     std::string message;     ///< a line that came up; an error stays until it is dismissed

@@ -5,19 +5,6 @@
 namespace dsphere {
 namespace {
 
-void expectSame(const Scene& a, const Scene& b) {
-    EXPECT_EQ(a.camera, b.camera);
-    EXPECT_EQ(a.film, b.film);
-    EXPECT_EQ(a.sampler, b.sampler);
-    EXPECT_EQ(a.lights, b.lights);
-    ASSERT_EQ(a.shapes.size(), b.shapes.size());
-    for (std::size_t i = 0; i < a.shapes.size(); ++i) {
-        EXPECT_EQ(a.shapes[i].geometry, b.shapes[i].geometry) << "shape " << i;
-        EXPECT_EQ(a.shapes[i].world_from_object, b.shapes[i].world_from_object) << "shape " << i;
-        EXPECT_EQ(a.shapes[i].material, b.shapes[i].material) << "shape " << i;
-    }
-}
-
 template <typename Geometry>
 Geometry onlyGeometry(const std::string& shape) {
     Scene scene = parse("WorldBegin " + shape);
@@ -44,6 +31,8 @@ TEST(Directives, DefaultsOfAnEmptyScene) {
     EXPECT_EQ(scene.camera.fov_degrees, 90.0);
     EXPECT_EQ(scene.film, (Film{"dsphere.exr", 1280, 720, {0.0, 1.0, 0.0, 1.0}}));
     EXPECT_EQ(scene.sampler, (Sampler{16, 0}));
+    EXPECT_EQ(scene.integrator, (Integrator{Integrator::Kind::Path, 5}));
+    EXPECT_EQ(scene.pixel_filter, (PixelFilter{PixelFilter::Kind::Box, dvec2(0.5)}));
     EXPECT_TRUE(scene.lights.empty());
     ASSERT_EQ(scene.shapes.size(), 1u);
     EXPECT_EQ(std::get<Sphere>(scene.shapes[0].geometry).radius, 1.0);
@@ -53,8 +42,9 @@ TEST(Directives, DefaultsOfAnEmptyScene) {
 }
 
 TEST(Directives, DefaultsOfNamedDirectivesAreTheSame) {
-    Scene scene = parseParts("Camera \"perspective\" Film \"image\" Sampler \"random\" Integrator \"directlighting\"",
-                             "Material \"matte\"");
+    Scene scene =
+        parseParts("Camera \"perspective\" Film \"image\" Sampler \"random\" Integrator \"path\" PixelFilter \"box\"",
+                   "Material \"matte\"");
     expectSame(scene, parseParts(""));
 }
 
@@ -82,6 +72,27 @@ TEST(Directives, SamplerOfAnyName) {
         Sampler sampler = parseParts("Sampler \"" + name + "\" \"integer pixelsamples\" 64 \"integer seed\" 5").sampler;
         EXPECT_EQ(sampler, (Sampler{64, 5})) << name;
     }
+}
+
+TEST(Directives, Integrators) {
+    using Kind = Integrator::Kind;
+    EXPECT_EQ(parseParts("Integrator \"directlighting\"").integrator, (Integrator{Kind::DirectLighting, 5}));
+    EXPECT_EQ(parseParts("Integrator \"path\" \"integer maxdepth\" 0").integrator, (Integrator{Kind::Path, 0}));
+    EXPECT_EQ(parseParts("Integrator \"volpath\" \"integer maxdepth\" 9").integrator, (Integrator{Kind::Path, 9}));
+}
+
+TEST(Directives, PixelFiltersInBothSpellings) {
+    auto filter = [](const std::string& words) { return parseParts("PixelFilter " + words).pixel_filter; };
+    using Kind = PixelFilter::Kind;
+    EXPECT_EQ(filter("\"box\""), (PixelFilter{Kind::Box, dvec2(0.5)}));
+    EXPECT_EQ(filter("\"box\" \"float xwidth\" 1"), (PixelFilter{Kind::Box, dvec2(1.0, 0.5)}));
+    EXPECT_EQ(filter("\"box\" \"float yradius\" 8"), (PixelFilter{Kind::Box, dvec2(0.5, 8.0)}));
+    EXPECT_EQ(filter("\"gaussian\""), (PixelFilter{Kind::Gaussian, dvec2(1.5), 2.0})) << "v4's";
+    EXPECT_EQ(filter("\"gaussian\" \"float alpha\" 2"), (PixelFilter{Kind::Gaussian, dvec2(2.0), 2.0})) << "v3's";
+    EXPECT_EQ(filter("\"gaussian\" \"float ywidth\" 3 \"float alpha\" .5"),
+              (PixelFilter{Kind::Gaussian, dvec2(2.0, 3.0), 0.5}));
+    EXPECT_EQ(filter("\"gaussian\" \"float xradius\" 3 \"float sigma\" 1"),
+              (PixelFilter{Kind::Gaussian, dvec2(3.0, 1.5), 0.5}));
 }
 
 TEST(Directives, MaterialColours) {
@@ -227,46 +238,6 @@ TEST(Directives, NumbersAndWordsInEverySpelling) {
     EXPECT_EQ(onlyGeometry<Sphere>("Shape\"sphere\"\"  float   radius \"4").radius, 4.0);
     EXPECT_EQ(parse("WorldBegin\r\nShape \"sphere\"\r\n").shapes[0].where.text(), "test.pbrt:2:1");
     EXPECT_EQ(parse(kFullScene).film.filename, "a\\b\"c.exr");
-}
-
-TEST(Directives, BothSpellingsOfPbrtGiveTheSameScene) {
-    Scene v3 = parse(R"(
-        LookAt 0 1 -5  0 0 0  0 1 0
-        Camera "perspective" "float fov" [35]
-        Film "image" "string filename" ["o.exr"] "integer xresolution" [320] "integer yresolution" [200]
-        Sampler "02sequence" "integer pixelsamples" [8]
-        Integrator "directlighting" "integer maxdepth" [5]
-        WorldBegin
-        LightSource "distant" "color L" [2 2 2] "point from" [1 1 -1] "point to" [0 0 0] "color scale" [.5 .5 .5]
-        LightSource "point" "color I" [3 3 3] "point from" [0 4 0]
-        Texture "ramp" "color" "heightramp"
-        MakeNamedMaterial "planet" "string type" ["matte"] "texture Kd" ["ramp"]
-        AttributeBegin
-            NamedMaterial "planet"
-            Shape "displacedsphere" "string displacementmap" ["m.png"] "float maxdispl" [5]
-        AttributeEnd
-        Material "matte" "color Kd" [.2 .3 .4] "float sigma" [0]
-        Shape "disk" "float radius" [3]
-        WorldEnd)");
-    Scene v4 = parse(R"(
-        LookAt 0 1 -5  0 0 0  0 1 0
-        Camera "perspective" "float fov" 35
-        Film "rgb" "string filename" "o.exr" "integer xresolution" 320 "integer yresolution" 200
-        Sampler "zsobol" "integer pixelsamples" 8
-        WorldBegin
-        LightSource "distant" "rgb L" [2 2 2] "point3 from" [1 1 -1] "point3 to" [0 0 0] "float scale" .5
-        LightSource "point" "rgb I" [3 3 3] "point3 from" [0 4 0]
-        Texture "ramp" "spectrum" "heightramp" "string ramp" "terrain"
-        MakeNamedMaterial "planet" "string type" "diffuse" "texture reflectance" "ramp"
-        AttributeBegin
-            NamedMaterial "planet"
-            Shape "displacedsphere" "string displacementmap" "m.png" "float maxdispl" 5
-        AttributeEnd
-        Material "diffuse" "rgb reflectance" [.2 .3 .4]
-        Shape "disk" "float radius" 3)");
-    expectSame(v3, v4);
-    EXPECT_EQ(v3.lights.size(), 2u);
-    EXPECT_EQ(v3.shapes.size(), 2u);
 }
 
 }  // namespace

@@ -106,16 +106,15 @@ TEST(SceneFiles, TheDocumentedExampleIsAScene) {
     std::size_t begin = all.find(fence), end = all.find("```\n", begin + fence.size());
     ASSERT_TRUE(begin != std::string::npos && end != std::string::npos);
     Scene scene = parse(all.substr(begin + fence.size(), end - begin - fence.size()));
-    EXPECT_EQ(scene.shapes.size(), 2u);
-    EXPECT_EQ(scene.lights.size(), 2u);
-    // The disk is a floor: its normal +z points down, its plane is y = -1.5.
-    expectNear(transformPoint(scene.shapes[1].world_from_object, dvec3(1, 2, 0)), dvec3(1, -1.5, 2));
+    EXPECT_EQ(scene.shapes.size(), 3u);
+    EXPECT_EQ(scene.lights.size(), 3u);
+    EXPECT_EQ(std::get<AreaLight>(scene.lights[2]).shape, 1) << "the lamp";
 }
 
 TEST(SceneFiles, ThePagesErrorIsTheParsersOwn) {
-    EXPECT_NE(
-        errorOf("WorldBegin Shape \"cone\"").find("unknown shape \"cone\"; supported: displacedsphere, sphere, disk"),
-        std::string::npos);
+    EXPECT_NE(errorOf("WorldBegin Shape \"cone\"")
+                  .find("unknown shape \"cone\"; supported: displacedsphere, sphere, disk, trianglemesh"),
+              std::string::npos);
 }
 
 TEST(SceneFiles, TheAssetsAreScenes) {

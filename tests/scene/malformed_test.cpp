@@ -35,7 +35,7 @@ TEST(Malformed, Text) {
         {"[ 1 2 ]", "1:1", "expected a directive, found '['"},
         {"worldbegin", "1:1", "unknown directive \"worldbegin\""},
         {"ReverseOrientation", "1:1", "unknown directive"},
-        {"AreaLightSource \"diffuse\"", "1:1", "unknown directive \"AreaLightSource\""},
+        {"MediumInterface \"air\"", "1:1", "unknown directive \"MediumInterface\""},
     });
 }
 
@@ -150,18 +150,28 @@ TEST(Malformed, Options) {
         {"Sampler \"halton\" \"integer pixelsamples\" 0", "1:41", "is 0; supported: in [1, 1048576]"},
         {"Sampler \"halton\" \"integer seed\" -1", "1:33", "is -1; supported: in [0, 2147483647]"},
         {"Sampler \"halton\" \"float pixelsamples\" 1", "1:18", "has type float; supported: integer"},
-        {"Integrator \"path\"", "1:12", "unknown integrator \"path\"; supported: directlighting"},
-        {"Integrator \"directlighting\" \"integer maxdepth\" 0", "1:48", "supported: in [1, "},
+        {"Integrator \"bdpt\"", "1:12", "unknown integrator \"bdpt\"; supported: directlighting, path, volpath"},
+        {"Integrator \"path\" \"integer maxdepth\" -1", "1:38", "is -1; supported: in [0, "},
+        {"Integrator \"path\"\nIntegrator \"path\"", "2:1", "Integrator is given twice"},
+        {"PixelFilter \"mitchell\"", "1:13", "unknown pixel filter \"mitchell\"; supported: box, gaussian"},
+        {"PixelFilter \"box\" \"float xwidth\" 0", "1:34", "supported: in [0.01, 8]"},
+        {"PixelFilter \"box\" \"float sigma\" 1", "1:19", "unknown parameter \"sigma\""},
+        {"PixelFilter \"gaussian\" \"float xwidth\" 2\n\"float yradius\" 2", "2:1",
+         "yradius is pbrt v4's, and xwidth (at test.pbrt:1:24) is pbrt v3's: give one spelling"},
+        {"PixelFilter \"gaussian\" \"float alpha\" 2 \"float sigma\" 1", "1:40", "give one spelling"},
+        {"PixelFilter \"gaussian\" \"float sigma\" 0", "1:38", "supported: in [0.03, 20]"},
+        {"WorldBegin PixelFilter \"box\"", "1:12", "PixelFilter stands after WorldBegin"},
         {"Integrator \"directlighting\" \"string strategy\" \"all\"", "1:29", "supported: integer maxdepth"},
     });
 }
 
 TEST(Malformed, MaterialsAndTextures) {
     expectAll({
-        {"WorldBegin Material \"mirror\"", "1:21", "unknown material \"mirror\"; supported: matte, diffuse"},
+        {"WorldBegin Material \"coateddiffuse\"", "1:21",
+         "unknown material \"coateddiffuse\"; supported: matte, diffuse, metal, conductor, mirror, plastic"},
         {"WorldBegin Material \"matte\" \"rgb Kd\" [0 0 1.5]", "1:43", "is 1.5; supported: in [0, 1]"},
         {"WorldBegin Material \"matte\" \"rgb Kd\" [0 0 -1]", "1:43", "is -1; supported: in [0, 1]"},
-        {"WorldBegin Material \"matte\" \"float sigma\" 20", "1:43", "parameter \"sigma\" is 20"},
+        {"WorldBegin Material \"matte\" \"float sigma\" 91", "1:43", "is 91; supported: in [0, 90]"},
         {"WorldBegin Material \"matte\" \"rgb Kd\" [0 0 0] \"rgb reflectance\" [0 0 0]", "1:46", "give one"},
         {"WorldBegin Material \"matte\" \"texture Kd\" \"none\"", "1:42", "undefined texture \"none\""},
         {"WorldBegin Material \"matte\" \"texture Kd\" [\"a\" \"b\"]", "1:29", "takes 1 value, found 2"},
@@ -179,7 +189,8 @@ TEST(Malformed, MaterialsAndTextures) {
         {"WorldBegin Texture \"t\" \"color\" \"imagemap\" \"float scale\" -1", "1:57", "supported: at least 0"},
         {"WorldBegin Texture \"t\" \"color\" \"imagemap\" \"bool trilinear\" \"false\"", "1:43",
          "supported: string filename, float scale, string wrap"},
-        {"WorldBegin Texture \"t\" \"color\" \"scale\"", "1:32", "supported: constant, heightramp, imagemap"},
+        {"WorldBegin Texture \"t\" \"color\" \"dots\"", "1:32",
+         "supported: constant, heightramp, imagemap, checkerboard, scale"},
         {"WorldBegin Texture \"t\" \"color\" \"constant\" \"float value\" 1", "1:43", "has type float; supported: rgb"},
         {"WorldBegin Texture \"t\" \"color\" \"heightramp\" \"string ramp\" \"jet\"", "1:59",
          "unknown ramp \"jet\"; supported: terrain, viridis, geoid, grey"},
@@ -190,9 +201,107 @@ TEST(Malformed, MaterialsAndTextures) {
     });
 }
 
+TEST(Malformed, RoughAndShinyMaterials) {
+    expectAll({
+        {"WorldBegin Material \"mirror\" \"rgb Kr\" [0 0 2]", "1:44", "is 2; supported: in [0, 1]"},
+        {"WorldBegin Material \"mirror\" \"float Kr\" 1", "1:30", "has type float; supported: rgb, texture"},
+        {"WorldBegin Material \"metal\" \"rgb eta\" [1 -1 1]", "1:42", "is -1; supported: in [0, 1000]"},
+        {"WorldBegin Material \"conductor\" \"spectrum eta\" \"metal-Fe-eta\"", "1:48",
+         "unknown spectrum \"metal-Fe-eta\" of eta; supported: Cu, Au, Ag, Al, also as \"metal-Cu-eta\""},
+        {"WorldBegin Material \"conductor\" \"spectrum k\" \"metal-Cu-eta\"", "1:46", "of k; supported: Cu"},
+        {"WorldBegin Material \"conductor\" \"spectrum k\" [300 1 800 2]", "1:33", "takes 1 value, found 4"},
+        {"WorldBegin Material \"conductor\" \"rgb reflectance\" [1 1 1]", "1:33", "unknown parameter \"reflectance\""},
+        {"WorldBegin Material \"metal\" \"float uroughness\" .1 \"float vroughness\" .2", "1:29",
+         "uroughness 0.1 is not vroughness 0.2; supported: the same roughness"},
+        {"WorldBegin Material \"metal\"\n\"float vroughness\" .2", "2:1", "uroughness 0.01 is not vroughness 0.2"},
+        {"WorldBegin Material \"plastic\" \"float roughness\" -1", "1:49", "supported: at least 0"},
+        {"WorldBegin Material \"plastic\" \"bool remaproughness\" 1", "1:53", "supported: true, false"},
+        {"WorldBegin Material \"plastic\" \"float eta\" 1.5", "1:31", "unknown parameter \"eta\""},
+        {"WorldBegin Texture \"h\" \"color\" \"heightramp\"\nMaterial \"plastic\" \"texture Ks\" \"h\"", "2:33",
+         "texture \"h\" varies, and Ks must not; supported: constant, or scale of such"},
+        {"WorldBegin Texture \"h\" \"color\" \"heightramp\"\nMaterial \"mirror\" \"texture Kr\" \"h\"", "2:32",
+         "and Kr must not"},
+    });
+}
+
+TEST(Malformed, CombinedTextures) {
+    const std::string image = "WorldBegin Texture \"i\" \"color\" \"imagemap\" \"string filename\" \"a.png\"\n";
+    expectAll({
+        {"WorldBegin Texture \"t\" \"color\" \"checkerboard\" \"rgb tex1\" [0 0 2]", "1:63", "in [0, 1]"},
+        {"WorldBegin Texture \"t\" \"color\" \"checkerboard\" \"integer dimension\" 3", "1:47",
+         "unknown parameter \"dimension\""},
+        {image + "Texture \"t\" \"color\" \"checkerboard\" \"texture tex2\" \"i\"", "2:51",
+         "texture \"i\" varies, and tex2 must not"},
+        {"WorldBegin Texture \"t\" \"color\" \"checkerboard\" \"float uscale\" 1e9", "1:62", "in [-65536, 65536]"},
+        {image + "Texture \"t\" \"color\" \"scale\" \"texture tex1\" \"i\" \"texture tex2\" \"i\"", "2:1",
+         "tex1 and tex2 both vary; supported: one of them constant"},
+        {image + "Texture \"t\" \"color\" \"scale\" \"texture tex1\" \"i\" \"float scale\" 1", "2:48",
+         "scale is pbrt v4's, and tex1 (at test.pbrt:2:29) is pbrt v3's: give one spelling"},
+        {image + "Texture \"t\" \"color\" \"scale\" \"texture tex\" \"none\"", "2:43", "undefined texture \"none\""},
+        {image + "Texture \"t\" \"color\" \"scale\" \"texture tex\" \"i\" \"float scale\" -1", "2:61",
+         "is -1; supported: in [0, 1000000]"},
+        {image + "Texture \"t\" \"float\" \"checkerboard\"", "2:13", "unknown texture type \"float\""},
+        {image + "Texture \"h\" \"color\" \"heightramp\" Texture \"s\" \"color\" \"scale\" \"texture tex\" \"h\"\n"
+                 "Material \"plastic\" \"texture Kd\" \"s\" Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0]",
+         "3:37", "a trianglemesh has not; supported on: displacedsphere"},
+    });
+}
+
+TEST(Malformed, InfiniteAndAreaLights) {
+    const std::string area = "WorldBegin AreaLightSource \"diffuse\"\n";
+    expectAll({
+        {"WorldBegin LightSource \"infinite\" \"string mapname\" \"a\" \"string filename\" \"a\"", "1:56",
+         "mapname and filename mean the same: give one"},
+        {"WorldBegin LightSource \"infinite\" \"string filename\" \"\"", "1:53", "the image's name is empty"},
+        {"WorldBegin LightSource \"infinite\" \"integer samples\" 4", "1:35", "unknown parameter \"samples\""},
+        {"WorldBegin Scale 2 2 2\nLightSource \"infinite\"", "2:1", "supported: rotations and mirrorings"},
+        {"WorldBegin Scale 1 1 .9\nLightSource \"infinite\"", "2:1", "transform scales or shears"},
+        {"WorldBegin LightSource \"infinite\"\nLightSource \"infinite\"", "2:1",
+         "a second infinite light, the first being at test.pbrt:1:12; supported: one"},
+        {"AreaLightSource \"diffuse\"", "1:1", "AreaLightSource stands before WorldBegin"},
+        {"WorldBegin AreaLightSource \"area\"", "1:28", "unknown area light \"area\"; supported: diffuse"},
+        {"WorldBegin AreaLightSource \"diffuse\" \"rgb L\" [-1 0 0]", "1:47", "supported: at least 0"},
+        {"WorldBegin AreaLightSource \"diffuse\" \"rgb L\" [1e300 0 0] \"float scale\" 1e300", "1:12",
+         "L times scale overflows"},
+        {"WorldBegin AreaLightSource \"diffuse\" \"float power\" 5", "1:38", "unknown parameter \"power\""},
+        {area + "Shape \"displacedsphere\"", "2:1",
+         "for this displacedsphere, which cannot shine; supported: sphere, disk"},
+        {area + "Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0]", "2:1", "supported: sphere, disk"},
+        {area + "Scale 1 2 1 Shape \"disk\"", "2:13", "this disk that shines changes angles"},
+        {"WorldBegin AreaLightSource \"diffuse\" \"bool twosided\" true\nShape \"sphere\"", "2:1",
+         "a sphere cannot shine on both sides"},
+    });
+}
+
+TEST(Malformed, TriangleMeshes) {
+    const std::string mesh = "WorldBegin Shape \"trianglemesh\"\n", p = "\"point3 P\" [0 0 0 1 0 0 0 1 0 1 1 0] ";
+    std::string many = "\"integer indices\" [";
+    for (int i = 0; i < 65; ++i) many += "0 1 2 ";
+    expectAll({
+        {mesh, "1:12", "lacks \"point3 P\""},
+        {mesh + p, "1:12", "lacks \"integer indices\" of its 4 points"},
+        {mesh + "\"point3 P\" [0 0 0 1]", "2:1", "has 4 numbers; supported: 3 for each of 1 to 192 points"},
+        {mesh + "\"point3 P\" []", "2:1", "has 0 numbers"},
+        {mesh + p + "\"integer indices\" [0 1 2 3]", "2:38",
+         "has 4 numbers; supported: 3 for each of 1 to 64 triangles"},
+        {mesh + p + many + "]", "2:38", "has 195 numbers"},
+        {mesh + p + "\"integer indices\" [0 1 4]", "2:61", "index 4 names no point; supported: in [0, 3]"},
+        {mesh + p + "\"integer indices\" [0 -1 2]", "2:59", "index -1 names no point"},
+        {mesh + p + "\"integer indices\" [0 1 2.0]", "2:61", "expected an integer"},
+        {mesh + p + "\"integer indices\" [0 1 2 1 1 2]", "1:12", "triangle 1 of the mesh, counted from 0, has no area"},
+        {mesh + "\"point3 P\" [0 0 0 1 1 1 3 3 3]", "1:12", "triangle 0 of the mesh"},
+        {mesh + "\"point3 P\" [0 0 0 1 0 0 0 1 0] \"point2 uv\" [0 0 1 1]", "2:32",
+         "has 4 numbers; supported: 2 for each of the 3 points"},
+        {mesh + "\"point3 P\" [0 0 0 1 0 0 0 1 0] \"float uv\" [0 0 1 0 1 1]\n\"float st\" [0 0 1 0 1 1]", "3:1",
+         "uv and st mean the same"},
+        {mesh + "\"point3 P\" [0 0 0 1 0 0 0 1 0] \"normal N\" [0 0 1 0 0 1 0 0 1]", "2:32",
+         "unknown parameter \"N\" of Shape \"trianglemesh\"; supported: point P, integer indices"},
+    });
+}
+
 TEST(Malformed, LightsAndShapes) {
     expectAll({
-        {"WorldBegin LightSource \"spot\"", "1:24", "unknown light \"spot\"; supported: distant, point"},
+        {"WorldBegin LightSource \"spot\"", "1:24", "unknown light \"spot\"; supported: distant, point, infinite"},
         {"WorldBegin LightSource \"distant\" \"point to\" [0 0 0]", "1:12", "no direction"},
         {"WorldBegin Scale 1 1 0 LightSource \"distant\"", "1:24", "no direction"},
         {"WorldBegin LightSource \"point\" \"rgb I\" [1 -2 3]", "1:43", "is -2; supported: at least 0"},
@@ -200,7 +309,8 @@ TEST(Malformed, LightsAndShapes) {
         {"WorldBegin LightSource \"point\" \"rgb I\" [1e300 0 0] \"float scale\" 1e300", "1:12",
          "I times scale overflows"},
         {"WorldBegin Scale 1e300 1 1 LightSource \"point\" \"point from\" [1e300 0 0]", "1:28", "position overflows"},
-        {"WorldBegin Shape \"cone\"", "1:18", "unknown shape \"cone\"; supported: displacedsphere, sphere, disk"},
+        {"WorldBegin Shape \"cone\"", "1:18",
+         "unknown shape \"cone\"; supported: displacedsphere, sphere, disk, trianglemesh"},
         {"WorldBegin Shape \"sphere\" \"float radius\" 0", "1:42", "is 0; supported: greater than 0"},
         {"WorldBegin Shape \"sphere\" \"float radius\" -1", "1:42", "is -1; supported: greater than 0"},
         {"WorldBegin Shape \"sphere\" \"float phimax\" 90", "1:27", "supported: float radius"},

@@ -24,10 +24,17 @@ void expectSound(const Scene& scene) {
         EXPECT_TRUE(isFinite(shape.world_from_object) && isFinite(glm::inverse(shape.world_from_object)));
         const auto* constant = textureAs<ConstantColour>(shape.material);
         EXPECT_TRUE(!constant || isFraction(constant->rgb));
+        const auto* board = textureAs<Checkerboard>(shape.material);
+        EXPECT_TRUE(!board || (isFraction(board->even) && isFraction(board->odd)));
+        const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry);
+        EXPECT_TRUE(!mesh || (!mesh->triangles.empty() && mesh->triangles.size() <= 64));
+        EXPECT_TRUE(!mesh || mesh->uvs.empty() || mesh->uvs.size() == mesh->points.size());
     }
     for (const Light& light : scene.lights) {
         auto* distant = std::get_if<DistantLight>(&light);
         EXPECT_TRUE(!distant || std::abs(glm::length(distant->direction) - 1.0) < 1e-15);
+        auto* area = std::get_if<AreaLight>(&light);
+        EXPECT_TRUE(!area || (area->shape >= 0 && area->shape < int(scene.shapes.size())));
     }
 }
 

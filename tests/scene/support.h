@@ -28,6 +28,22 @@ inline std::string errorOf(const std::string& text) {
     return "";
 }
 
+/// Everything but names and places.
+inline void expectSame(const Scene& a, const Scene& b) {
+    EXPECT_EQ(a.camera, b.camera);
+    EXPECT_EQ(a.film, b.film);
+    EXPECT_EQ(a.sampler, b.sampler);
+    EXPECT_EQ(a.integrator, b.integrator);
+    EXPECT_EQ(a.pixel_filter, b.pixel_filter);
+    EXPECT_EQ(a.lights, b.lights);
+    ASSERT_EQ(a.shapes.size(), b.shapes.size());
+    for (std::size_t i = 0; i < a.shapes.size(); ++i) {
+        EXPECT_EQ(a.shapes[i].geometry, b.shapes[i].geometry) << "shape " << i;
+        EXPECT_EQ(a.shapes[i].world_from_object, b.shapes[i].world_from_object) << "shape " << i;
+        EXPECT_EQ(a.shapes[i].material, b.shapes[i].material) << "shape " << i;
+    }
+}
+
 /// A scene whose only special parts are `options` and `world`; a sphere makes it complete.
 inline Scene parseParts(const std::string& options, const std::string& world = "") {
     return parse(options + "\nWorldBegin\n" + world + "\nShape \"sphere\"\n");
@@ -83,13 +99,32 @@ Film "gbuffer" "string filename" "a\\b\"c.exr" "integer xresolution" [64] "integ
     "float cropwindow" [0 .5 .25 1]
 Sampler "halton" "integer pixelsamples" 4 "integer seed" 7
 Integrator "directlighting" "integer maxdepth" 3
+PixelFilter "gaussian" "float xradius" 2 "float yradius" 1.5 "float sigma" .4
 WorldBegin
 Texture "heights" "spectrum" "heightramp" "string ramp" "viridis"
 Texture "picture" "color" "imagemap" "string filename" "p.jpg" "float scale" 2 "string wrap" "repeat"
 Texture "flat" "color" "constant" "rgb value" [.1 .2 .3]
-MakeNamedMaterial "ground" "string type" "diffuse" "texture reflectance" "heights" "float sigma" 0
+Texture "checks" "spectrum" "checkerboard" "texture tex1" "flat" "float tex2" 0 "float uscale" 8 "float vscale" 4
+Texture "dim" "color" "scale" "texture tex1" "picture" "rgb tex2" [.5 .5 .5]
+Texture "dimmer" "spectrum" "scale" "texture tex" "dim" "float scale" .5
+MakeNamedMaterial "ground" "string type" "diffuse" "texture reflectance" "heights" "float sigma" 20
+MakeNamedMaterial "gold" "string type" "conductor" "spectrum eta" "metal-Au-eta" "spectrum k" "metal-Au-k"
+    "float uroughness" .1 "float vroughness" .1 "bool remaproughness" false
+MakeNamedMaterial "paint" "string type" "plastic" "texture Kd" "checks" "rgb Ks" [.1 .1 .1] "float roughness" .3
 LightSource "distant" "rgb L" [3 3 2.5] "point from" [10 5 -10] "point3 to" [0 0 0] "float scale" 2
 LightSource "point" "color I" [1 2 3] "point3 from" [0 9 0] "color scale" [1 .5 .25]
+LightSource "infinite" "rgb L" [.1 .2 .3] "float scale" .5 "string filename" "sky.exr"
+AttributeBegin
+    AreaLightSource "diffuse" "rgb L" [5 4 3] "bool twosided" true "float scale" 2
+    Material "mirror" "texture Kr" "flat"
+    Shape "disk"
+AttributeEnd
+NamedMaterial "gold"
+Shape "sphere"
+NamedMaterial "paint"
+Shape "trianglemesh" "point3 P" [-9 0 -9 9 0 -9 9 0 9 -9 0 9] "integer indices" [0 1 2 2 3 0]
+    "point2 uv" [0 0 1 0 1 1 0 1]
+Material "matte" "texture Kd" "dimmer"
 AttributeBegin
     NamedMaterial "ground"
     Rotate -30 0 0 1

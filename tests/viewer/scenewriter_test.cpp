@@ -15,6 +15,9 @@ void expectRoundTrip(const std::string& text) {
     EXPECT_EQ(scene.sampler, again.sampler);
     EXPECT_EQ(scene.film.width, again.film.width);
     EXPECT_EQ(scene.film.height, again.film.height);
+    EXPECT_EQ(scene.film.crop, again.film.crop);
+    EXPECT_EQ(scene.integrator, again.integrator);
+    EXPECT_EQ(scene.pixel_filter, again.pixel_filter);
     EXPECT_EQ(scene.lights, again.lights) << written;
     ASSERT_EQ(scene.shapes.size(), again.shapes.size());
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
@@ -43,6 +46,46 @@ TEST(SceneWriter, BringsEverythingBackBitForBit) {
         "Shape \"displacedsphere\" \"string displacementmap\" \"a.png\" \"string filter\" \"bspline\"\n"
         "Shape \"displacedsphere\" \"string displacementmap\" \"a.png\" \"bool smoothnormals\" true\n"
         "Shape \"displacedsphere\" \"string displacementfunction\" \"ripples\" \"integer ufrequency\" 7\n");
+}
+
+TEST(SceneWriter, MaterialsLightsAndMeshes) {
+    expectRoundTrip(R"(Film "rgb" "float cropwindow" [0 .3 .1 1]
+        Integrator "path" "integer maxdepth" 3
+        PixelFilter "gaussian" "float xradius" 1.7 "float yradius" 2 "float sigma" .47
+        WorldBegin
+        Shape "sphere"
+        LightSource "point"
+        AttributeBegin
+            Rotate 33 1 2 3 Scale 1 -1 1
+            LightSource "infinite" "string filename" "sky.exr" "rgb L" [.1 .2 .3]
+        AttributeEnd
+        AttributeBegin
+            AreaLightSource "diffuse" "rgb L" [1 2 3] "bool twosided" true
+            Material "mirror" "rgb Kr" [.1 .2 .3]
+            Scale .1 .1 .1 Rotate 12 0 0 1
+            Shape "disk"
+        AttributeEnd
+        LightSource "distant"
+        Material "metal" "spectrum eta" "Ag" "spectrum k" "Ag" "float roughness" .07
+        Shape "sphere"
+        AreaLightSource "diffuse" "rgb L" [3 3 3]
+        Texture "i" "color" "imagemap" "string filename" "b.png" "float scale" .9
+        Texture "s" "color" "scale" "texture tex" "i" "rgb scale" [.1 .7 3]
+        Material "plastic" "texture Kd" "s" "rgb Ks" [.3 .2 .1]
+        Shape "sphere" "float radius" .3)");
+    expectRoundTrip(R"(Integrator "directlighting" "integer maxdepth" 0
+        PixelFilter "box" "float xwidth" 1
+        WorldBegin
+        LightSource "infinite"
+        Texture "c" "color" "checkerboard" "rgb tex1" [.1 .2 .3] "float tex2" .7 "float uscale" 12 "float vscale" -6
+        Material "matte" "texture Kd" "c" "float sigma" 17.3
+        Shape "trianglemesh" "point3 P" [0 0 0 1.1 0 0 1 0 1 0 .1 1] "integer indices" [0 1 2 0 2 3]
+            "point2 uv" [0 0 .3 0 .3 1 0 1]
+        Shape "trianglemesh" "point3 P" [0 0 0 1 0 0 0 1 0]
+        Texture "r" "color" "heightramp"
+        Texture "s" "color" "scale" "texture tex1" "r" "rgb tex2" [.1 .5 .9]
+        Material "plastic" "texture Kd" "s"
+        Shape "displacedsphere")");
 }
 
 TEST(SceneWriter, OrthographicCamera) {

@@ -1,0 +1,126 @@
+#include "scene/directives.h"
+#include "scene/ramps.h"
+
+namespace dsphere {
+
+namespace {
+
+constexpr Range kChecks{-65536.0, 65536.0};
+constexpr Range kScale{0.0, 1e6};  // a factor of a texture
+
+const Texture& textureNamed(Statement s, const Parameter& parameter) {
+    const Token& name = stringValue(parameter);
+    auto found = s.state.textures.find(name.text);
+    if (found == s.state.textures.end()) failAt(name.where, "undefined texture {}", described(name));
+    return found->second;
+}
+
+dvec3 cut(const dvec3& colour) {
+    return glm::min(colour, dvec3(1.0));
+}
+
+HeightRamp heightRamp(Parameters& p) {
+    Words names;
+    for (const Ramp& ramp : ramps()) names.push_back(ramp.name);
+    return {.ramp = p.choice("ramp", names).value_or("terrain")};
+}
+
+ImageMap imageMap(Statement s, Parameters& p) {
+    std::optional<Token> filename = p.string("filename");
+    std::optional<double> scale = p.number("scale", kNotNegative);
+    p.choice("wrap", {"repeat"});
+    p.finish();
+    if (!filename) failAt(s.word.where, "Texture \"imagemap\" lacks \"string filename\"");
+    if (filename->text.empty()) failAt(filename->where, "the image's name is empty");
+    return {s.source.resolve(filename->text), dvec3(scale.value_or(1.0)), filename->where};
+}
+
+Checkerboard checkerboard(Statement s, Parameters& p) {
+    Checkerboard board;
+    if (const Parameter* tex1 = p.take("tex1", {"rgb", "float", "texture"}))
+        board.even = constantValue(s, *tex1, kFraction);
+    if (const Parameter* tex2 = p.take("tex2", {"rgb", "float", "texture"}))
+        board.odd = constantValue(s, *tex2, kFraction);
+    board.u_scale = p.number("uscale", kChecks).value_or(board.u_scale);
+    board.v_scale = p.number("vscale", kChecks).value_or(board.v_scale);
+    return board;
+}
+
+struct Multiply {
+    dvec3 factor;
+
+    void operator()(ConstantColour& constant) const { constant.rgb *= factor; }
+    void operator()(HeightRamp& ramp) const { ramp.scale *= factor; }
+    void operator()(ImageMap& image) const { image.scale *= factor; }
+    void operator()(Checkerboard& board) const { board.even *= factor, board.odd *= factor; }
+};
+
+// The product of the two, of which one must be constant.
+Texture product(Statement s, const Parameter* one, const Parameter* other) {
+    auto read = [&](const Parameter* parameter) -> Texture {
+        if (!parameter) return ConstantColour{dvec3(1.0)};
+        if (parameter->type == "texture") return textureNamed(s, *parameter);
+        return ConstantColour{constantValue(s, *parameter, kScale)};
+    };
+    Texture varying = read(one), factor = read(other);
+    if (!std::holds_alternative<ConstantColour>(factor)) std::swap(varying, factor);
+    const auto* constant = std::get_if<ConstantColour>(&factor);
+    if (!constant) failAt(s.word.where, "{} and {} both vary; supported: one of them constant", one->name, other->name);
+    std::visit(Multiply{constant->rgb}, varying);
+    return varying;
+}
+
+// v3 multiplies tex1 by tex2, v4 tex by scale.
+Texture scaled(Statement s, Parameters& p) {
+    const Words types = {"rgb", "float", "texture"};
+    const Parameter *tex1 = p.take("tex1", types), *tex2 = p.take("tex2", types);
+    const Parameter *tex = p.take("tex", types), *scale = p.take("scale", types);
+    p.finish();
+    const Parameter *v3 = tex1 ? tex1 : tex2, *v4 = tex ? tex : scale;
+    if (v3 && v4)
+        failAt(v4->where, "{} is pbrt v4's, and {} (at {}) is pbrt v3's: give one spelling", v4->name, v3->name,
+               v3->where.text());
+    return v4 ? product(s, tex, scale) : product(s, tex1, tex2);
+}
+
+}  // namespace
+
+Texture textureValue(Statement s, const Parameter& parameter) {
+    if (parameter.type == "rgb") return ConstantColour{tripleValue(parameter, kFraction)};
+    Texture texture = textureNamed(s, parameter);
+    if (auto* constant = std::get_if<ConstantColour>(&texture)) constant->rgb = cut(constant->rgb);
+    if (auto* board = std::get_if<Checkerboard>(&texture)) board->even = cut(board->even), board->odd = cut(board->odd);
+    return texture;
+}
+
+dvec3 constantValue(Statement s, const Parameter& parameter, const Range& range) {
+    if (parameter.type == "rgb") return tripleValue(parameter, range);
+    if (parameter.type == "float") return dvec3(numberValue(parameter, range));
+    Texture texture = textureValue(s, parameter);
+    if (const auto* constant = std::get_if<ConstantColour>(&texture)) return constant->rgb;
+    failAt(stringValue(parameter).where, "texture {} varies, and {} must not; supported: constant, or scale of such",
+           described(stringValue(parameter)), parameter.name);
+}
+
+void texture(Statement s) {
+    Token name = s.source.lexer.takeString("a texture's name");
+    if (s.state.textures.contains(name.text)) failAt(name.where, "texture {} is defined twice", described(name));
+    requireOneOf(s.source.lexer.takeString("a texture's type"), "texture type", {"color", "spectrum"});
+    auto [kind, p] = readNamed(s, "texture", {"constant", "heightramp", "imagemap", "checkerboard", "scale"});
+    Texture texture = ConstantColour{dvec3(1.0)};
+    if (kind.text == "constant") {
+        if (auto value = p.rgb("value", kFraction)) texture = ConstantColour{*value};
+    } else if (kind.text == "heightramp") {
+        texture = heightRamp(p);
+    } else if (kind.text == "imagemap") {
+        texture = imageMap(s, p);
+    } else if (kind.text == "checkerboard") {
+        texture = checkerboard(s, p);
+    } else {
+        texture = scaled(s, p);
+    }
+    p.finish();
+    s.state.textures.emplace(name.text, texture);
+}
+
+}  // namespace dsphere
