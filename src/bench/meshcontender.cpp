@@ -1,37 +1,15 @@
 // Embree's meshes as contenders.
 
-#include "base/error.h"
 #include "bench/contender.h"
 #include "bench/devicecontender.h"
-#include "bench/embree.h"
+#include "bench/meshrays.h"
 #include "bench/pixelorder.h"
-#include "reference/camera.h"
 
 #include <cmath>
 
 namespace dsphere::bench {
 
 namespace {
-
-// World -> the planet's object space in units of R; t stays the world's distance.
-RaySet cameraRays(const Workload& workload, const View& view, const std::vector<std::uint32_t>& order) {
-    const dmat4 object_from_world = glm::inverse(workload.scene.shapes[0].world_from_object);
-    const double unit = workload.maps.reliefs[0].greatest_radius;
-    const Box box = cropBox(view.film);
-    RaySet rays;
-    for (std::uint32_t i : order) {
-        const int x = int(i) % box.width(), y = int(i) / box.width();
-        const reference::CameraRay ray =
-            reference::cameraRay(view.camera, view.film, box.x0 + x + 0.5, box.y0 + y + 0.5);
-        rays.add(transformPoint(object_from_world, ray.origin) / unit,
-                 transformVector(object_from_world, ray.direction) / unit);
-    }
-    rays.fillPackets();
-    return rays;
-}
-
-// A mesh's hits are off its facets by the rounding of o + t d; so far above them no ray meets the facet it leaves.
-constexpr double kMeshOffset = 4e-6;
 
 class MeshContender : public Contender {
   public:
@@ -144,9 +122,7 @@ class OwnMeshScene : public MeshScene {
 }  // namespace
 
 std::unique_ptr<MeshScene> makeMeshScene(const Workload& workload, const Method& method) {
-    if (workload.maps.maps[0]->ripples || workload.maps.reliefs[0].filter != Filter::Bilinear)
-        throwInvalid("{}: meshes have the nodes of bilinear maps; for B-splines and ripples take --methods exact,naive",
-                     workload.map);
+    requireNodes(workload);
     return std::make_unique<OwnMeshScene>(workload, method);
 }
 

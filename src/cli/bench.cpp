@@ -5,10 +5,12 @@
 #include "bench/environment.h"
 #include "bench/json.h"
 #include "bench/report.h"
+#include "bench/sidebyside.h"
 #include "bench/suite.h"
 #include "bench/table.h"
 #include "cli/commands.h"
 #include "cli/sceneoptions.h"
+#include "image/picture.h"
 
 #include <nlohmann/json.hpp>
 
@@ -27,7 +29,7 @@ struct BenchOptions {
     std::vector<double> displacements;
     std::optional<int> repeats;
     std::optional<std::uint64_t> samples;
-    std::string csv, json, html, markdown, baseline;
+    std::string csv, json, html, markdown, baseline, beside_mesh;
     bool quick = false;
 };
 
@@ -89,7 +91,26 @@ void writeReports(const BenchOptions& options, const bench::Results& results) {
     write(options.markdown, bench::markdown(results, drawing.empty() ? "" : figure.filename().string()));
 }
 
+// In place of a measurement.
+int runSideBySide(const BenchOptions& options) {
+    if (options.scenes.size() != 1)
+        throw Error(ExitCode::Usage, "--beside-mesh draws one scene: name it");
+    checkWritable(options.beside_mesh);
+    const bench::Workload workload = sceneSources(options)[0].make();
+    gpu::Device device = openDevice(options.common);
+    const bench::SideBySide drawn = bench::drawSideBySide(device, workload);
+    checkValidation(device);
+    writePng(options.beside_mesh, drawn.picture);
+    fmt::print("pixels that both hit  {}\nthat one alone hits   {}\nin other shadow       {}\n", drawn.hits,
+               drawn.one_sided, drawn.other_shadow);
+    fmt::print("normals               median {:.3f}, greatest {:.1f} degrees apart (white: {} degrees)\n",
+               drawn.median_degrees, drawn.greatest_degrees, bench::kWhiteDegrees);
+    fmt::print("shades                {:.5f} apart in the mean (white: {})\n", drawn.mean_shade, bench::kWhiteShade);
+    return int(ExitCode::Ok);
+}
+
 int runBench(const BenchOptions& options) {
+    if (!options.beside_mesh.empty()) return runSideBySide(options);
     bench::Suite suite;
     bench::Plan plan;
     plan.methods = bench::chooseMethods(options.methods);
@@ -181,6 +202,8 @@ void addBench(CLI::App& app, Action& action) {
     file("--json-file", options->json, "Write what --json prints; --baseline reads it");
     file("--html", options->html, "Write a report with plots, in one file");
     file("--markdown", options->markdown, "Write a report, and beside it its figure as .svg");
+    file("--beside-mesh", options->beside_mesh,
+         "Measure nothing: draw the scene and Embree's triangles of it side by side into this .png");
     file("--baseline", options->baseline, "Print the change since the run that wrote this JSON");
     addCommonOptions(*command, options->common);
     command->callback([options, &action] { action = [options] { return runBench(*options); }; });

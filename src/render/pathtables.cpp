@@ -27,6 +27,20 @@ void appendDistribution(std::vector<float>& table, std::span<const double> weigh
     table.back() = 1.0f;
 }
 
+// Of the bilinear image over each texel of a row: a texel's own value alone would leave out black ones beside bright ones.
+std::vector<double> texelMeans(const ColourMap& image, int row) {
+    const int width = image.width(), last = image.height() - 1;
+    std::vector<double> down(std::size_t(width), 0.0), means(std::size_t(width));
+    const int rows[] = {std::max(row - 1, 0), row, std::min(row + 1, last)};
+    for (int i = 0; i < width; ++i)
+        for (int k = 0; k < 3; ++k)
+            down[std::size_t(i)] += (k == 1 ? 0.75 : 0.125) * std::max(0.0, luminance(image.texel(i, rows[k])));
+    for (int i = 0; i < width; ++i)
+        means[std::size_t(i)] = 0.125 * down[std::size_t((i + width - 1) % width)] + 0.75 * down[std::size_t(i)] +
+                                0.125 * down[std::size_t((i + 1) % width)];
+    return means;
+}
+
 // Smith's Lambda of GGX.
 double hidden(double cosine, double alpha) {
     const double tan2 = (1.0 - cosine * cosine) / (cosine * cosine);
@@ -114,11 +128,12 @@ double fresnelOf(double cosine, double eta, double k) {
 std::vector<float> imageDistribution(const ColourMap& image) {
     const std::size_t width = std::size_t(image.width()), height = std::size_t(image.height());
     std::vector<float> rows, columns;
-    std::vector<double> of_row(width), sums(height);
+    std::vector<double> sums(height);
     double total = 0.0;
     for (std::size_t j = 0; j < height; ++j) {
+        const std::vector<double> of_row = texelMeans(image, int(j));
         double sum = 0.0;
-        for (std::size_t i = 0; i < width; ++i) sum += of_row[i] = luminance(image.texel(int(i), int(j)));
+        for (double value : of_row) sum += value;
         sums[j] = sum * std::sin(kPi * (double(j) + 0.5) / double(height));
         total += sums[j];
         appendDistribution(columns, of_row, sum);

@@ -1,0 +1,201 @@
+// Light on the device against the reference: direct light of every pixel, for every material under every light; and the
+// means of traced paths.
+
+#include "reference/pathtracer.h"
+#include "tests/conformance/fixture.h"
+#include "tests/support/testcolours.h"
+#include "tests/support/testmaps.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace dsphere::conformance {
+namespace {
+
+struct MaterialCase {
+    const char* name;
+    Material material;
+};
+
+const std::vector<MaterialCase> kMaterials = {
+    {"Matte", Matte{ConstantColour{dvec3(0.7, 0.4, 0.2)}}},
+    {"RoughMatte", Matte{ConstantColour{dvec3(0.7, 0.4, 0.2)}, 30.0}},
+    {"Conductor", Conductor{.alpha = 0.25}},
+    {"SmoothConductor", Conductor{.alpha = 0.03}},
+    {"RoughConductor", Conductor{.eta = dvec3(0.0), .k = dvec3(1.0), .alpha = 0.9}},
+    {"Plastic", Plastic{ConstantColour{dvec3(0.3, 0.5, 0.1)}, dvec3(0.4), 0.1}},
+    {"Mirror", Mirror{dvec3(0.9, 0.8, 0.7)}},
+};
+
+/// A planet, a ball, a disk and a ground of triangles, all of one material.
+World objects(const Material& material) {
+    DisplacedSphere sphere;
+    sphere.max_displacement = 15.0;
+    World world = sphereWorld(test::fractalMap(128, 64), sphere);
+    world.addPlain(Sphere{0.5}, translation({1.6, -0.3, 0.7}));
+    world.addPlain(Disk{0.1, 0.8, 0.2}, translation({-1.5, 0.2, 0.3}) * glm::rotate(dmat4(1.0), 0.7, dvec3(1, 0.5, 0)));
+    world.addPlain(TriangleMesh{{{-4, -1.3, -4}, {4, -1.3, -4}, {4, -1.3, 4}, {-4, -1.3, 4}}, {{0, 1, 2}, {0, 2, 3}}, {}},
+                   dmat4(1.0));
+    for (Shape& shape : world.scene.shapes) shape.material = material;
+    world.lookAt({1.2, 1.4, 4.2}, {0.1, -0.2, 0.0}, dvec3(0.0, 1.0, 0.0), 50.0);
+    return world;
+}
+
+void addEmitter(World& world, const Geometry& geometry, const dmat4& placed, const dvec3& radiance, bool two_sided) {
+    world.addPlain(geometry, placed);
+    world.scene.lights.push_back(AreaLight{int(world.scene.shapes.size()) - 1, radiance, two_sided});
+}
+
+void addSky(World& world) {
+    world.scene.lights.push_back(InfiniteLight{.radiance = dvec3(0.4, 0.5, 0.7)});
+}
+
+/// Bright and dark by places, one texel of it a sun.
+void addSkyImage(World& world) {
+    std::vector<float> light;
+    for (int j = 0; j < 16; ++j)
+        for (int i = 0; i < 32; ++i) {
+            const bool sun = i == 9 && j == 4;
+            for (float share : {0.9f, 1.0f, 1.2f}) light.push_back(sun ? 60.0f : share * 0.05f * float((i * 7 + j * 5) % 11));
+        }
+    world.maps.images.push_back(std::make_unique<ColourMap>(test::lightOf(32, 16, light), "sky"));
+    world.maps.light_image = int(world.maps.images.size()) - 1;
+    world.maps.image_of_shape.resize(world.scene.shapes.size(), -1);
+    InfiniteLight sky;
+    sky.map_path = "sky";
+    sky.world_from_light = dmat3(glm::rotate(dmat4(1.0), -kPi / 2 + 0.2, dvec3(1.0, 0.2, 0.0)));
+    world.scene.lights.push_back(sky);
+}
+
+struct LightCase {
+    const char* name;
+    void (*add)(World&);
+};
+
+const std::vector<LightCase> kLights = {
+    {"Sun", [](World& world) { world.addSun({1.0, 1.5, 1.2}); }},
+    {"Lamp", [](World& world) { world.addLamp({1.5, 2.0, 1.8}, 6.0); }},
+    {"Ball", [](World& world) { addEmitter(world, Sphere{0.4}, translation({-0.4, 2.1, 1.6}), dvec3(8, 7, 6), false); }},
+    {"Panel",
+     [](World& world) {
+         addEmitter(world, Disk{0.05, 0.9, 0.3},
+                    translation({-1.2, 2.2, 0.9}) * glm::rotate(dmat4(1.0), 1.9, dvec3(1.0, 0.4, 0.0)), dvec3(9, 8, 6), true);
+     }},
+    {"Sky", addSky},
+    {"SkyImage", addSkyImage},
+};
+
+using Lighting = Conformance;
+
+TEST_F(Lighting, OfEveryMaterialUnderEveryLight) {
+    for (const LightCase& light : kLights)
+        for (const MaterialCase& material : kMaterials) {
+            SCOPED_TRACE(std::string(light.name) + " on " + material.name);
+            World world = objects(material.material);
+            world.scene.film.width = 100;
+            world.scene.film.height = 75;
+            light.add(world);
+            const verify::Report report = picture(world).report;
+            expectContract(report);
+            EXPECT_GE(report.colours, 4000u);
+        }
+}
+
+TEST_F(Lighting, OfManyLightsAtOnce) {
+    World world = objects(Plastic{});
+    for (const LightCase& light : kLights)
+        if (light.add != addSky) light.add(world);  // a scene has one infinite light
+    expectContract(picture(world).report);
+}
+
+TEST_F(Lighting, OnCheckerboardsOfEveryShape) {
+    World world = objects(Matte{Checkerboard{dvec3(0.9, 0.1, 0.2), dvec3(0.1, 0.5, 0.9), 12.0, 7.0}});
+    world.addSun({1.0, 1.5, 1.2});
+    expectContract(picture(world).report);
+}
+
+/// Means of the picture and of the reference's agree within both their errors, known to 1 %.
+void expectMeans(const World& world, int device_samples, int reference_samples) {
+    const PackedScene packed = packScene(world.scene, world.maps);
+    Renderer renderer(device(), packed, world.scene, MarchMethod());
+    const Image image = renderer.renderColour(device_samples, 5, {});
+    const reference::PathTracer tracer(world.scene, world.maps);
+    const reference::Estimate expected = tracer.mean(image.data, reference_samples);
+    for (int c = 0; c < 3; ++c) {
+        double sum = 0.0;
+        for (float value : image.channels[std::size_t(c)].floats()) sum += value;
+        const double mean = sum / double(image.pixelCount());
+        const double half_width = 1.96 * expected.error[c] * 1.5;  // the device's samples are fewer, but better spread
+        EXPECT_LE(half_width, 0.01 * expected.mean[c]) << "the reference is too coarse";
+        EXPECT_NEAR(mean, expected.mean[c], 0.01 * expected.mean[c]) << "channel " << c;
+    }
+}
+
+World small(World world, Integrator::Kind kind, int depth) {
+    world.scene.film.width = 32;
+    world.scene.film.height = 24;
+    world.scene.integrator.kind = kind;
+    world.scene.integrator.max_depth = depth;
+    return world;
+}
+
+TEST_F(Lighting, OfPaths) {
+    for (const MaterialCase& material : kMaterials) {
+        SCOPED_TRACE(material.name);
+        World world = objects(material.material);
+        addSkyImage(world);
+        addEmitter(world, Sphere{0.4}, translation({-0.4, 2.1, 1.6}), dvec3(8, 7, 6), false);
+        expectMeans(small(std::move(world), Integrator::Kind::Path, 5), 128, 128);
+    }
+}
+
+TEST_F(Lighting, OfMirrorsUnderDirectLight) {
+    World world = objects(Mirror{});
+    world.scene.shapes[0].material = Matte{};
+    world.addSun({1.0, 1.5, 1.2});
+    addSky(world);
+    expectMeans(small(std::move(world), Integrator::Kind::DirectLighting, 4), 128, 128);
+}
+
+TEST_F(Lighting, WithTheGaussianFilter) {
+    World world = objects(Matte{});
+    world.scene.pixel_filter = {PixelFilter::Kind::Gaussian, dvec2(2.0, 1.5), 2.0};
+    world.addSun({1.0, 1.5, 1.2});
+    expectMeans(small(std::move(world), Integrator::Kind::DirectLighting, 1), 256, 512);
+}
+
+/// In a sky of one radiance nothing stands out from it that loses no light.
+TEST_F(Lighting, WhiteFurnace) {
+    const MaterialCase lossless[] = {{"Matte", Matte{ConstantColour{dvec3(1.0)}}},
+                                     {"Mirror", Mirror{dvec3(1.0)}},
+                                     {"Conductor", Conductor{dvec3(0.0), dvec3(1.0), 0.5}},
+                                     {"SmoothConductor", Conductor{dvec3(0.0), dvec3(1.0), 0.05}}};
+    for (const MaterialCase& material : lossless) {
+        SCOPED_TRACE(material.name);
+        World world;
+        world.addPlain(Sphere{1.0}, dmat4(1.0));
+        world.scene.shapes[0].material = material.material;
+        world.lookAt({0.0, 0.0, 3.0}, dvec3(0.0), dvec3(0.0, 1.0, 0.0), 36.0);
+        world.scene.lights.push_back(InfiniteLight{});
+        World scene = small(std::move(world), Integrator::Kind::Path, 3);
+        const PackedScene packed = packScene(scene.scene, scene.maps);
+        Renderer renderer(device(), packed, scene.scene, MarchMethod());
+        const Image image = renderer.renderColour(1024, 5, {});
+        double sum = 0.0;
+        for (float value : image.channels[0].floats()) sum += value;
+        EXPECT_NEAR(sum / double(image.pixelCount()), 1.0, 0.002);
+    }
+}
+
+TEST_F(Lighting, DependsOnSamplesAlone) {
+    World world = small(objects(Plastic{}), Integrator::Kind::Path, 4);
+    addSky(world);
+    const PackedScene packed = packScene(world.scene, world.maps);
+    Renderer renderer(device(), packed, world.scene, MarchMethod());
+    const Image first = renderer.renderColour(4, 9, {}), again = renderer.renderColour(4, 9, {});
+    const Image other = renderer.renderColour(4, 10, {});
+    EXPECT_EQ(first.channels[0].floats(), again.channels[0].floats());
+    EXPECT_NE(first.channels[0].floats(), other.channels[0].floats());
+}
+
+}  // namespace
+}  // namespace dsphere::conformance
