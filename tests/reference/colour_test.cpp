@@ -18,10 +18,10 @@ ColourMap numbered() {
     return ColourMap(dsphere::test::lightOf(4, 2, light), "numbered");
 }
 
-double redAt(const std::variant<DisplacedSphere, Sphere, Disk>& geometry, const dvec3& p, double scale = 1.0) {
+double redAt(const decltype(Shape::geometry)& geometry, const dvec3& p, double scale = 1.0) {
     Shape shape;
     shape.geometry = geometry;
-    return imageColour(shape, {"numbered", scale, {}}, numbered(), p).r;
+    return imageColour(shape, {"numbered", dvec3(scale), {}}, numbered(), p).r;
 }
 
 dvec3 at(double longitude, double latitude) {

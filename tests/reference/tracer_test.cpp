@@ -17,7 +17,7 @@ void expectNear(const dvec3& a, const dvec3& b, double tolerance = 1e-13) {
     EXPECT_LT(glm::length(a - b), tolerance) << a.x << ' ' << a.y << ' ' << a.z;
 }
 
-Shape shape(const std::variant<DisplacedSphere, Sphere, Disk>& geometry, const dmat4& world_from_object) {
+Shape shape(const decltype(Shape::geometry)& geometry, const dmat4& world_from_object) {
     Shape shape;
     shape.geometry = geometry;
     shape.world_from_object = world_from_object;
@@ -112,9 +112,9 @@ TEST(Tracer, LambertUnderSunAndLamp) {
     Scene scene;
     scene.shapes.push_back(shape(Sphere{1.0}, glm::scale(kOne, dvec3(2.0))));
     *textureOf(scene.shapes[0].material) = ConstantColour{{0.5, 0.25, 1.0}};
-    scene.lights.push_back(DistantLight{.direction = {0.0, 0.6, 0.8}, .radiance = {3.0, 3.0, 6.0}});
-    scene.lights.push_back(PointLight{.position = {0.0, 0.0, 5.0}, .intensity = {9.0, 18.0, 9.0}});
-    scene.lights.push_back(DistantLight{.direction = {0.0, 0.0, -1.0}, .radiance = dvec3(100.0)});
+    scene.lights.emplace_back(DistantLight{.direction = {0.0, 0.6, 0.8}, .radiance = {3.0, 3.0, 6.0}});
+    scene.lights.emplace_back(PointLight{.position = {0.0, 0.0, 5.0}, .intensity = {9.0, 18.0, 9.0}});
+    scene.lights.emplace_back(DistantLight{.direction = {0.0, 0.0, -1.0}, .radiance = dvec3(100.0)});
     const Tracer tracer = plainTracer(scene);
     const dvec3 north(0.0, 0.0, 1.0);  // world (0, 0, 2): the lamp is 3 away
     expectNear(tracer.shade(0, north, {north, north}, 1), dvec3(0.5, 0.25, 1.0) / kPi * dvec3(2.4, 2.4, 4.8));
@@ -136,7 +136,9 @@ TEST(Tracer, HeightRampColoursByHeight) {
     relief.h_offset = 0.0625;
     Scene scene;
     scene.shapes.push_back(shape(DisplacedSphere{}, kOne));
-    *textureOf(scene.shapes[0].material) = HeightRamp{.ramp = std::string(ramp.name)};
+    HeightRamp by_height;
+    by_height.ramp = ramp.name;
+    *textureOf(scene.shapes[0].material) = by_height;
     const Tracer tracer(scene, {&map}, {relief});
     // Texel 4 is centred at longitude 22.5 degrees: h = 4000 / 8000 + 1/16.
     const double longitude = kPi / 8;
