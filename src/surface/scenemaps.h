@@ -15,6 +15,7 @@ struct SceneMaps {
     std::vector<Relief> reliefs;    ///< one a shape; defaults for shapes without a map
     std::vector<std::unique_ptr<ColourMap>> images;
     std::vector<int> image_of_shape;  ///< index in `images`, -1: no image; may be shorter than the shapes
+    int light_image = -1;             ///< index in `images` of the infinite light's; -1: it has none
 
     /// One pointer a shape, nullptr without a map.
     std::vector<const Heightmap*> perShape() const;
@@ -22,6 +23,8 @@ struct SceneMaps {
     const ColourMap* image(std::size_t shape) const;
     /// One pointer a shape, nullptr without an image.
     std::vector<const ColourMap*> imagePerShape() const;
+    /// The infinite light's image, or nullptr.
+    const ColourMap* lightImage() const { return light_image < 0 ? nullptr : images[std::size_t(light_image)].get(); }
 };
 
 /// Loads every map and image of the scene. Errors as loadHeightmap, makeRelief and loadColourMap, prefixed by the place

@@ -1,5 +1,7 @@
 #include "verify/compare.h"
 
+#include "reference/mesh.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,18 +18,6 @@ namespace {
 double floatUlp(double t) {
     float value = std::abs(float(t));
     return double(std::nextafter(value, std::numeric_limits<float>::infinity())) - double(value);
-}
-
-double unitOf(const Shape& shape, const Relief& relief) {
-    if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) return sphere->radius;
-    if (const auto* disk = std::get_if<Disk>(&shape.geometry)) return disk->radius;
-    return relief.greatest_radius;
-}
-
-std::vector<double> unitsOf(const Scene& scene, const SceneMaps& maps) {
-    std::vector<double> units;
-    for (std::size_t i = 0; i < scene.shapes.size(); ++i) units.push_back(unitOf(scene.shapes[i], maps.reliefs[i]));
-    return units;
 }
 
 // Eight directions across a ray, for shapes that have no gradient worth following.
@@ -54,13 +44,14 @@ std::string describe(const Answer& answer, const WorldHit& truth) {
 Comparison::Comparison(const Scene& scene, const SceneMaps& maps, Tolerance tolerance)
     : scene_(scene),
       tolerance_(tolerance),
-      units_(unitsOf(scene, maps)),
-      tracer_(scene, maps.perShape(), maps.reliefs, maps.imagePerShape()) {}
+      tracer_(scene, maps.perShape(), maps.reliefs, maps.imagePerShape(), maps.lightImage()) {}
 
 dvec3 Comparison::objectNormal(int shape, const dvec3& object_position) const {
     if (const reference::Surface* surface = tracer_.surface(shape)) return surface->normal(object_position);
-    bool disk = std::holds_alternative<Disk>(scene_.shapes[std::size_t(shape)].geometry);
-    return disk ? dvec3(0.0, 0.0, 1.0) : glm::normalize(object_position);
+    const auto& geometry = scene_.shapes[std::size_t(shape)].geometry;
+    if (const auto* mesh = std::get_if<TriangleMesh>(&geometry))
+        return reference::meshNormal(*mesh, reference::nearestOnMesh(*mesh, object_position).triangle);
+    return std::holds_alternative<Disk>(geometry) ? dvec3(0.0, 0.0, 1.0) : glm::normalize(object_position);
 }
 
 // A hit at a distance of delta from the surface stands some delta / |cos| before or behind its root; 4 allows for the
@@ -154,6 +145,8 @@ double Comparison::surfaceDistance(const Answer& answer) const {
         distance = std::abs(surface->f(p)) / glm::length(surface->gradient(p));
     } else if (const auto* disk = std::get_if<Disk>(&scene_.shapes[std::size_t(answer.shape)].geometry)) {
         distance = std::abs(p.z - disk->height);
+    } else if (const auto* mesh = std::get_if<TriangleMesh>(&scene_.shapes[std::size_t(answer.shape)].geometry)) {
+        distance = reference::nearestOnMesh(*mesh, p).distance;
     } else {
         distance = std::abs(glm::length(p) - unit(answer.shape));
     }
@@ -165,8 +158,9 @@ void Comparison::checkSurface(Report& report, const WorldRay& ray, const Answer&
     report.distances.push_back(float(surfaceDistance(answer)));
 
     dvec3 n = transformNormal(tracer_.objectFromWorld(answer.shape), objectNormal(answer.shape, p));
-    bool disk = std::holds_alternative<Disk>(scene_.shapes[std::size_t(answer.shape)].geometry);
-    if (disk && glm::dot(n, ray.direction) > 0.0) n = -n;
+    const auto& geometry = scene_.shapes[std::size_t(answer.shape)].geometry;
+    bool flat = std::holds_alternative<Disk>(geometry) || std::holds_alternative<TriangleMesh>(geometry);
+    if (flat && glm::dot(n, ray.direction) > 0.0) n = -n;
     auto angleTo = [&](const dvec3& found) {
         return float(glm::degrees(std::atan2(glm::length(glm::cross(n, found)), glm::dot(n, found))));
     };
@@ -197,7 +191,12 @@ bool Comparison::tangentShadow(const Answer& answer, const LightAnswer& light, c
 void Comparison::checkShadow(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light,
                              std::size_t k) const {
     dvec3 start = transformPoint(scene_.shapes[std::size_t(answer.shape)].world_from_object, light.start);
-    LightRay towards = reference::lightRay(scene_.lights[k], start);
+    reference::ShadingPoint point{.shape = answer.shape,
+                                  .object_position = answer.object_position,
+                                  .position = light.position,
+                                  .normals = {answer.normal, answer.smooth_normal}};
+    const reference::LightSample sample = tracer_.lightSample(point, int(k), light.source);
+    LightRay towards = tracer_.lights().shadowRay(int(k), sample, light.position, start);
     bool device_lit = (light.lit >> k & 1u) != 0;
     double cosine = glm::dot(glm::normalize(towards.direction), answer.normal);
     bool lit = cosine > 0.0 && !tracer_.occluded(start, towards.direction, towards.t_max, answer.shape, light.start);
@@ -229,17 +228,21 @@ dvec3 Comparison::reflectanceSpread(const Answer& answer) const {
 
 // A cosine of two float vectors is off by a few 1e-7 whatever its size, hence the part of the bound that does not
 // shrink towards the terminator.
-void Comparison::checkColour(Report& report, std::uint64_t index, const Answer& answer,
+void Comparison::checkColour(Report& report, std::uint64_t index, const WorldRay& ray, const Answer& answer,
                              const LightAnswer& light) const {
-    dvec3 colour = tracer_.shadeAt(answer.shape, answer.object_position, light.position,
-                                   {answer.normal, answer.smooth_normal}, light.lit);
+    dvec3 colour = tracer_.directLight({.shape = answer.shape,
+                                        .object_position = answer.object_position,
+                                        .position = light.position,
+                                        .normals = {answer.normal, answer.smooth_normal},
+                                        .towards_viewer = -ray.direction},
+                                       light.source, light.lit);
     dvec3 full(0.0);
     for (const Light& source : scene_.lights) {
-        dvec3 towards = reference::lightRay(source, light.position).direction;
-        if (const auto* point = std::get_if<PointLight>(&source))
+        if (const auto* point = std::get_if<PointLight>(&source)) {
+            dvec3 towards = point->position - light.position;
             full += point->intensity / std::max(glm::dot(towards, towards), 1e-300);
-        else
-            full += std::get<DistantLight>(source).radiance;
+        } else if (const auto* distant = std::get_if<DistantLight>(&source))
+            full += distant->radiance;
     }
     dvec3 reflectance = tracer_.reflectance(answer.shape, answer.object_position);
     const bool by_height = textureAs<HeightRamp>(scene_.shapes[std::size_t(answer.shape)].material) != nullptr;
@@ -258,9 +261,10 @@ void Comparison::checkColour(Report& report, std::uint64_t index, const Answer& 
                                        light.colour.r, light.colour.g, light.colour.b, colour.r, colour.g, colour.b));
 }
 
-void Comparison::checkLight(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light) const {
+void Comparison::checkLight(Report& report, std::uint64_t index, const WorldRay& ray, const Answer& answer,
+                            const LightAnswer& light) const {
     for (std::size_t k = 0; k < scene_.lights.size(); ++k) checkShadow(report, index, answer, light, k);
-    checkColour(report, index, answer, light);
+    checkColour(report, index, ray, answer, light);
 }
 
 }  // namespace dsphere::verify
