@@ -67,20 +67,22 @@ std::uint32_t Tracer::litLights(const ShadingPoint& point, const SampleSource& s
     return lit;
 }
 
-dvec3 Tracer::reflected(const ShadingPoint& point, const LightSample& sample) const {
-    if (!(glm::dot(point.normals.geometric, sample.direction) > 0.0)) return dvec3(0.0);
+dvec3 Tracer::reflected(const ShadingPoint& point, const dvec3& l) const {
+    if (!(glm::dot(point.normals.geometric, l) > 0.0)) return dvec3(0.0);
     const Frame frame(point.normals.smooth);
-    const dvec3 l = frame.toLocal(sample.direction);
-    if (!(l.z > 0.0)) return dvec3(0.0);
-    const dvec3 f = reflector(point.shape)
-                        .f(l, frame.toLocal(point.towards_viewer), reflectance(point.shape, point.object_position));
-    return f * sample.weight * (l.z * terminatorShare(point.normals, sample.direction, l.z));
+    const dvec3 local = frame.toLocal(l), colour = reflectance(point.shape, point.object_position);
+    if (!(local.z > 0.0)) return dvec3(0.0);
+    return reflector(point.shape).f(local, frame.toLocal(point.towards_viewer), colour) *
+           (local.z * terminatorShare(point.normals, l, local.z));
 }
 
 dvec3 Tracer::directLight(const ShadingPoint& point, const SampleSource& source, std::uint32_t lit) const {
     dvec3 sum = emission(point);
     for (int k = 0; k < int(scene_->lights.size()) && k < 32; ++k)
-        if (lit >> k & 1u) sum += reflected(point, lightSample(point, k, source));
+        if (lit >> k & 1u) {
+            const LightSample sample = lightSample(point, k, source);
+            sum += reflected(point, sample.direction) * sample.weight;
+        }
     return sum;
 }
 

@@ -83,6 +83,22 @@ WorldHit Tracer::firstHit(const dvec3& origin, const dvec3& direction) const {
     return worldHit(shape, nearest, direction);
 }
 
+WorldHit Tracer::nextHit(int own_shape, const dvec3& own_object_start, const dvec3& direction) const {
+    const dvec3 start = transformPoint(scene_->shapes[std::size_t(own_shape)].world_from_object, own_object_start);
+    FirstHit nearest;
+    int shape = -1;
+    for (int k = 0; k < int(scene_->shapes.size()); ++k) {
+        Ray ray = objectRay(k, start, direction);
+        if (k == own_shape) ray.origin = own_object_start;
+        ray.may_start_inside = false;
+        const FirstHit hit = hitShape(k, ray);
+        if (!hit.hit || (nearest.hit && hit.t() >= nearest.t())) continue;
+        nearest = hit;
+        shape = k;
+    }
+    return worldHit(shape, nearest, direction);
+}
+
 bool Tracer::occluded(const dvec3& origin, const dvec3& direction, double t_max, int own_shape,
                       const dvec3& own_object_origin, int emitter) const {
     for (int k = 0; k < int(scene_->shapes.size()); ++k) {

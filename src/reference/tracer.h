@@ -56,6 +56,10 @@ class Tracer {
     /// The nearest hit over all shapes of a camera ray; t in units of |direction|.
     WorldHit firstHit(const dvec3& origin, const dvec3& direction) const;
 
+    /// The nearest hit of a ray that leaves a shape, whose start is given in the shape's object space (see beside), by
+    /// the rules of secondary rays.
+    WorldHit nextHit(int own_shape, const dvec3& own_object_start, const dvec3& direction) const;
+
     /// Whether anything is hit between `origin` and origin + t_max direction (world). For the shape `own_shape` that
     /// the ray starts on (-1: none) the start is given in object space as well, so that no rounding of the world
     /// position enters; all shapes are met by the rules of secondary rays. The shape `emitter` (-1: none) is not met.
@@ -91,8 +95,8 @@ class Tracer {
     bool seen(const ShadingPoint& point, int k, const LightSample& sample, const dvec3& start) const;
     /// Bit k: light k's sample of vertex 0 is seen.
     std::uint32_t litLights(const ShadingPoint& point, const SampleSource& source) const;
-    /// What a sample adds to the radiance towards the viewer if nothing is in between: f cos(n, l) L / p.
-    dvec3 reflected(const ShadingPoint& point, const LightSample& sample) const;
+    /// f cos(n, l) towards the viewer for light from a direction (unit); 0 below the surface, and of mirrors.
+    dvec3 reflected(const ShadingPoint& point, const dvec3& l) const;
     /// Radiance towards the viewer as the planes of a pixel's centre hold it: emission, and of each light whose bit is
     /// set in `lit` the sample of vertex 0.
     dvec3 directLight(const ShadingPoint& point, const SampleSource& source, std::uint32_t lit) const;
