@@ -1,6 +1,7 @@
 #include "verify/compare.h"
 
 #include "reference/mesh.h"
+#include "verify/nearby.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +11,6 @@
 
 namespace dsphere::verify {
 
-using reference::LightRay;
 using reference::WorldHit;
 
 namespace {
@@ -18,16 +18,6 @@ namespace {
 double floatUlp(double t) {
     float value = std::abs(float(t));
     return double(std::nextafter(value, std::numeric_limits<float>::infinity())) - double(value);
-}
-
-// Eight directions across a ray, for shapes that have no gradient worth following.
-std::vector<dvec3> ringOffsets(const dvec3& direction, double step) {
-    dvec3 d = glm::normalize(direction);
-    dvec3 e = glm::normalize(glm::cross(d, std::abs(d.x) < 0.6 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
-    dvec3 g = glm::cross(d, e);
-    std::vector<dvec3> offsets;
-    for (int k = 0; k < 8; ++k) offsets.push_back(step * (std::cos(kPi * k / 4) * e + std::sin(kPi * k / 4) * g));
-    return offsets;
 }
 
 std::string describe(const Answer& answer, const WorldHit& truth) {
@@ -83,7 +73,7 @@ std::vector<dvec3> Comparison::sidewaysOffsets(int shape, const reference::Ray& 
     if (const reference::Surface* surface = tracer_.surface(shape)) {
         for (const reference::Ray& moved : reference::sidewaysRays(*surface, object_ray))
             offsets.push_back(moved.origin - object_ray.origin);
-    } else {
+    } else {  // no gradient worth following
         offsets = ringOffsets(object_ray.direction, contract::kSideways * unit(shape));
     }
     const dmat4& to_world = scene_.shapes[std::size_t(shape)].world_from_object;
@@ -169,102 +159,6 @@ void Comparison::checkSurface(Report& report, const WorldRay& ray, const Answer&
     if (!surface || !surface->relief().smooth_normals || answer.smooth_normal == dvec3(0.0)) return;
     n = transformNormal(tracer_.objectFromWorld(answer.shape), surface->shadingNormal(p));
     report.normal_degrees.push_back(angleTo(answer.smooth_normal));
-}
-
-bool Comparison::tangentShadow(const Answer& answer, const LightAnswer& light, const WorldRay& shadow, double t_max,
-                               bool device_lit) const {
-    const dmat4& own_from_world = tracer_.objectFromWorld(answer.shape);
-    for (int shape = 0; shape < int(scene_.shapes.size()); ++shape) {
-        reference::Ray object_ray = tracer_.objectRay(shape, shadow.origin, shadow.direction);
-        if (shape == answer.shape) object_ray.origin = light.start;
-        object_ray.t_max = t_max;
-        object_ray.may_start_inside = false;
-        for (const dvec3& offset : sidewaysOffsets(shape, object_ray)) {
-            bool blocked = tracer_.occluded(shadow.origin + offset, shadow.direction, t_max, answer.shape,
-                                            light.start + transformVector(own_from_world, offset));
-            if (blocked != device_lit) return true;
-        }
-    }
-    return false;
-}
-
-void Comparison::checkShadow(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light,
-                             std::size_t k) const {
-    dvec3 start = transformPoint(scene_.shapes[std::size_t(answer.shape)].world_from_object, light.start);
-    reference::ShadingPoint point{.shape = answer.shape,
-                                  .object_position = answer.object_position,
-                                  .position = light.position,
-                                  .normals = {answer.normal, answer.smooth_normal}};
-    const reference::LightSample sample = tracer_.lightSample(point, int(k), light.source);
-    LightRay towards = tracer_.lights().shadowRay(int(k), sample, light.position, start);
-    bool device_lit = (light.lit >> k & 1u) != 0;
-    double cosine = glm::dot(glm::normalize(towards.direction), answer.normal);
-    bool lit = cosine > 0.0 && !tracer_.occluded(start, towards.direction, towards.t_max, answer.shape, light.start);
-    ++report.shadow_rays;
-    if (lit == device_lit) return;
-    // A light in the tangent plane, to rounding: which side it is on is tangency too.
-    bool grazing = std::abs(cosine) < contract::kSideways;
-    if (grazing || tangentShadow(answer, light, {start, towards.direction}, towards.t_max, device_lit)) {
-        ++report.tangent_shadows;
-        return;
-    }
-    ++report.wrong_shadows;
-    report.addFault(index, fmt::format("light {}: device {}, reference {}, cos(N, L) = {:.3g}", k + 1,
-                                       device_lit ? "lit" : "shadowed", lit ? "lit" : "shadowed", cosine));
-}
-
-// How much a shape's reflectance can change within the rounding of a float position: on a steep map a height ramp turns
-// 5e-8 R sideways into 1e-4 of its colour.
-dvec3 Comparison::reflectanceSpread(const Answer& answer) const {
-    constexpr double kPositionRounding = 5.2e-8;  // half an ulp below 1 in each of three coordinates, in R
-    dvec3 centre = tracer_.reflectance(answer.shape, answer.object_position), spread(0.0);
-    double step = kPositionRounding * unit(answer.shape);
-    for (const dvec3& offset : ringOffsets(answer.object_position, step)) {
-        dvec3 beside = tracer_.reflectance(answer.shape, answer.object_position + offset);
-        spread = glm::max(spread, glm::abs(beside - centre));
-    }
-    return spread;
-}
-
-// A cosine of two float vectors is off by a few 1e-7 whatever its size, hence the part of the bound that does not
-// shrink towards the terminator.
-void Comparison::checkColour(Report& report, std::uint64_t index, const WorldRay& ray, const Answer& answer,
-                             const LightAnswer& light) const {
-    dvec3 colour = tracer_.directLight({.shape = answer.shape,
-                                        .object_position = answer.object_position,
-                                        .position = light.position,
-                                        .normals = {answer.normal, answer.smooth_normal},
-                                        .towards_viewer = -ray.direction},
-                                       light.source, light.lit);
-    dvec3 full(0.0);
-    for (const Light& source : scene_.lights) {
-        if (const auto* point = std::get_if<PointLight>(&source)) {
-            dvec3 towards = point->position - light.position;
-            full += point->intensity / std::max(glm::dot(towards, towards), 1e-300);
-        } else if (const auto* distant = std::get_if<DistantLight>(&source))
-            full += distant->radiance;
-    }
-    dvec3 reflectance = tracer_.reflectance(answer.shape, answer.object_position);
-    const bool by_height = textureAs<HeightRamp>(scene_.shapes[std::size_t(answer.shape)].material) != nullptr;
-    dvec3 spread = by_height ? reflectanceSpread(answer) : dvec3(0.0);
-    ++report.colours;
-    double worst = 0.0;
-    for (int c = 0; c < 3; ++c) {
-        double irradiance = reflectance[c] > 0.0 ? colour[c] / reflectance[c] : full[c] / kPi;
-        double bound = contract::kColour * colour[c] + 1e-6 * reflectance[c] * full[c] / kPi + spread[c] * irradiance;
-        worst = std::max(worst, std::abs(light.colour[c] - colour[c]) / (bound + 1e-30));
-    }
-    report.worst_colour = std::max(report.worst_colour, worst);
-    if (worst <= 1.0) return;
-    ++report.wrong_colours;
-    report.addFault(index, fmt::format("colour: device {:.7g} {:.7g} {:.7g}, reference {:.7g} {:.7g} {:.7g}",
-                                       light.colour.r, light.colour.g, light.colour.b, colour.r, colour.g, colour.b));
-}
-
-void Comparison::checkLight(Report& report, std::uint64_t index, const WorldRay& ray, const Answer& answer,
-                            const LightAnswer& light) const {
-    for (std::size_t k = 0; k < scene_.lights.size(); ++k) checkShadow(report, index, answer, light, k);
-    checkColour(report, index, ray, answer, light);
 }
 
 }  // namespace dsphere::verify

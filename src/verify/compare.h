@@ -44,7 +44,10 @@ class Comparison {
     void checkLight(Report& report, std::uint64_t index, const WorldRay& ray, const Answer& answer,
                     const LightAnswer& light) const;
 
-    /// The verdict on light `k` alone.
+    /// What a ray that misses sees, where the scene has a sky.
+    void checkMiss(Report& report, std::uint64_t index, const WorldRay& ray, const dvec3& colour) const;
+
+    /// The verdict on light `k` alone: whether its sample is seen from P'. A sample without light is not judged.
     void checkShadow(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light,
                      std::size_t k) const;
 
@@ -64,10 +67,19 @@ class Comparison {
     bool tangent(const WorldRay& ray, const Answer& answer, int true_shape) const;
     void checkSurface(Report& report, const WorldRay& ray, const Answer& answer) const;
     bool tangentShadow(const Answer& answer, const LightAnswer& light, const WorldRay& shadow, double t_max,
-                       bool device_lit) const;
+                       int emitter, bool device_lit) const;
+    bool roundedShadow(const reference::ShadingPoint& point, const LightAnswer& light, int k,
+                       const reference::LightSample& sample, bool device_lit) const;
     dvec3 reflectanceSpread(const Answer& answer) const;
-    void checkColour(Report& report, std::uint64_t index, const WorldRay& ray, const Answer& answer,
-                     const LightAnswer& light) const;
+
+    /// The reference's colour, and how far off a right one may be.
+    struct Shade {
+        dvec3 colour{0.0}, bound{0.0};
+    };
+    bool isPlain(int shape) const;
+    Shade plainShade(const reference::ShadingPoint& point, const Answer& answer, const LightAnswer& light) const;
+    Shade fullShade(const reference::ShadingPoint& point, const LightAnswer& light) const;
+    void judgeColour(Report& report, std::uint64_t index, const dvec3& found, const Shade& truth) const;
 
     const Scene& scene_;
     Tolerance tolerance_;

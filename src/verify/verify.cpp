@@ -108,6 +108,7 @@ void comparePixel(Report& report, const Comparison& comparison, const Scene& sce
     }
     const WorldRay ray = pixelRay(scene, image.data, i);
     comparison.checkHit(report, i, ray, answer);
+    if (!answer.hit) comparison.checkMiss(report, i, ray, Channels::at(channels.colour, i));
     if (!answer.hit || answer.inside) return;
     LightAnswer light;
     light.start = Channels::at(channels.start, i) * comparison.unit(answer.shape);
