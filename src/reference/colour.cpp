@@ -1,5 +1,7 @@
 #include "reference/colour.h"
 
+#include "reference/mesh.h"
+
 #include <cmath>
 
 namespace dsphere::reference {
@@ -47,6 +49,7 @@ dvec2 surfaceUv(const Shape& shape, const dvec3& p) {
         return {turnAboutZ(p), (disk->radius - std::hypot(p.x, p.y)) / (disk->radius - disk->inner_radius)};
     if (std::holds_alternative<Sphere>(shape.geometry))
         return {turnAboutZ(p), 1.0 - std::atan2(std::hypot(p.x, p.y), p.z) / kPi};
+    if (const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry)) return meshUv(*mesh, nearestOnMesh(*mesh, p));
     return {0.5 + std::atan2(p.x, p.z) / (2.0 * kPi), std::atan2(std::hypot(p.x, p.z), p.y) / kPi};
 }
 
@@ -58,6 +61,11 @@ dvec3 imageColour(const Shape& shape, const ImageMap& texture, const ColourMap& 
     else
         colour = repeated(image, uv.x, 1.0 - uv.y);  // pbrt's images stand on their last row
     return glm::clamp(texture.scale * colour, 0.0, 1.0);
+}
+
+dvec3 checkerboardColour(const Checkerboard& texture, const dvec2& uv) {
+    const double squares = std::floor(texture.u_scale * uv.x) + std::floor(texture.v_scale * uv.y);
+    return std::fmod(squares, 2.0) == 0.0 ? texture.even : texture.odd;
 }
 
 }  // namespace dsphere::reference

@@ -1,41 +1,22 @@
 #include "reference/tracer.h"
 
 #include "reference/analytic.h"
-#include "reference/colour.h"
-#include "scene/ramps.h"
+#include "reference/mesh.h"
 
 #include <cassert>
 #include <cmath>
 
 namespace dsphere::reference {
 
-namespace {
-
-// Chiang, Li and Burley 2019, "Taming the shadow terminator": the cosine with the geometric normal over the one that
-// the smooth normal lets expect, 1 or more becoming 1, made smooth.
-double terminatorShare(const Tracer::Normals& normals, const dvec3& towards, double smooth_cosine) {
-    if (normals.geometric == normals.smooth) return 1.0;
-    const double expected = smooth_cosine * glm::dot(normals.geometric, normals.smooth);
-    const double share = std::clamp(glm::dot(normals.geometric, towards) / std::max(expected, 1e-6), 0.0, 1.0);
-    return share + share * share - share * share * share;
-}
-
-}  // namespace
-
-LightRay lightRay(const Light& light, const dvec3& world_point) {
-    if (const auto* distant = std::get_if<DistantLight>(&light))
-        return {distant->direction, std::numeric_limits<double>::infinity()};
-    return {std::get<PointLight>(light).position - world_point, 1.0};
-}
-
 Tracer::Tracer(const Scene& scene, std::vector<const Heightmap*> maps, std::vector<Relief> reliefs,
-               std::vector<const ColourMap*> images)
-    : scene_(&scene), images_(std::move(images)) {
+               std::vector<const ColourMap*> images, const ColourMap* light_image)
+    : scene_(&scene), images_(std::move(images)), lights_(scene, light_image) {
     assert(maps.size() == scene.shapes.size() && reliefs.size() == scene.shapes.size());
     surfaces_.resize(scene.shapes.size());
     for (std::size_t k = 0; k < scene.shapes.size(); ++k) {
         const Shape& shape = scene.shapes[k];
         object_from_world_.push_back(glm::inverse(shape.world_from_object));
+        reflectors_.emplace_back(shape.material);
         if (!std::holds_alternative<DisplacedSphere>(shape.geometry)) continue;
         assert(maps[k] && "a displaced sphere needs its map");
         surfaces_[k].emplace(*maps[k], reliefs[k]);
@@ -57,20 +38,23 @@ FirstHit Tracer::hitShape(int shape, const Ray& object_ray) const {
     if (const Surface* displaced = surface(shape)) return reference::firstHit(*displaced, object_ray);
     const auto& geometry = scene_->shapes[std::size_t(shape)].geometry;
     if (const auto* sphere = std::get_if<Sphere>(&geometry)) return hitSphere(sphere->radius, object_ray);
+    if (const auto* mesh = std::get_if<TriangleMesh>(&geometry)) return hitMesh(*mesh, object_ray);
     return hitDisk(std::get<Disk>(geometry), object_ray);
 }
 
 WorldHit Tracer::worldHit(int shape, const FirstHit& hit, const dvec3& direction) const {
     if (!hit.hit) return {};
     const Shape& what = scene_->shapes[std::size_t(shape)];
-    const bool disk = std::holds_alternative<Disk>(what.geometry);
-    dvec3 normal = disk ? dvec3(0.0, 0.0, 1.0) : hit.position;
+    const auto* mesh = std::get_if<TriangleMesh>(&what.geometry);
+    const bool flat = mesh || std::holds_alternative<Disk>(what.geometry);
+    dvec3 normal = flat ? dvec3(0.0, 0.0, 1.0) : hit.position;
+    if (mesh) normal = meshNormal(*mesh, nearestOnMesh(*mesh, hit.position).triangle);
     // A start at the very centre has no normal of its own: any will do.
     if (normal == dvec3(0.0)) normal = dvec3(0.0, 1.0, 0.0);
     if (const Surface* displaced = surface(shape); displaced && hit.position != dvec3(0.0))
         normal = displaced->gradient(hit.position);
     normal = glm::normalize(transformNormal(objectFromWorld(shape), glm::normalize(normal)));
-    const dvec3 shading_normal = disk && glm::dot(normal, direction) > 0.0 ? -normal : normal;
+    const dvec3 shading_normal = flat && glm::dot(normal, direction) > 0.0 ? -normal : normal;
     dvec3 smooth_normal = shading_normal;
     if (const Surface* displaced = surface(shape); displaced && hit.position != dvec3(0.0))
         smooth_normal = glm::normalize(transformNormal(objectFromWorld(shape), displaced->shadingNormal(hit.position)));
@@ -99,9 +83,26 @@ WorldHit Tracer::firstHit(const dvec3& origin, const dvec3& direction) const {
     return worldHit(shape, nearest, direction);
 }
 
-bool Tracer::occluded(const dvec3& origin, const dvec3& direction, double t_max, int own_shape,
-                      const dvec3& own_object_origin) const {
+WorldHit Tracer::nextHit(int own_shape, const dvec3& own_object_start, const dvec3& direction) const {
+    const dvec3 start = transformPoint(scene_->shapes[std::size_t(own_shape)].world_from_object, own_object_start);
+    FirstHit nearest;
+    int shape = -1;
     for (int k = 0; k < int(scene_->shapes.size()); ++k) {
+        Ray ray = objectRay(k, start, direction);
+        if (k == own_shape) ray.origin = own_object_start;
+        ray.may_start_inside = false;
+        const FirstHit hit = hitShape(k, ray);
+        if (!hit.hit || (nearest.hit && hit.t() >= nearest.t())) continue;
+        nearest = hit;
+        shape = k;
+    }
+    return worldHit(shape, nearest, direction);
+}
+
+bool Tracer::occluded(const dvec3& origin, const dvec3& direction, double t_max, int own_shape,
+                      const dvec3& own_object_origin, int emitter) const {
+    for (int k = 0; k < int(scene_->shapes.size()); ++k) {
+        if (k == emitter) continue;
         Ray ray = objectRay(k, origin, direction);
         if (k == own_shape) ray.origin = own_object_origin;
         ray.t_max = t_max;
@@ -111,41 +112,27 @@ bool Tracer::occluded(const dvec3& origin, const dvec3& direction, double t_max,
     return false;
 }
 
-dvec3 Tracer::reflectance(int shape, const dvec3& object_position) const {
-    const Shape& what = scene_->shapes[std::size_t(shape)];
-    const Texture& texture = *textureOf(what.material);
-    if (const auto* constant = std::get_if<ConstantColour>(&texture)) return constant->rgb;
-    if (const auto* picture = std::get_if<ImageMap>(&texture)) {
-        assert(std::size_t(shape) < images_.size() && images_[std::size_t(shape)] && "an image map needs its image");
-        return imageColour(what, *picture, *images_[std::size_t(shape)], object_position);
-    }
-    const int ramp = findRamp(std::get<HeightRamp>(texture).ramp);
-    const Surface* displaced = surface(shape);
-    assert(ramp >= 0 && displaced && "the parser lets ramps onto displaced spheres only, by known names");
-    return rampColour(ramps()[std::size_t(ramp)], displaced->height(object_position));
+double Tracer::unit(int shape) const {
+    if (const Surface* displaced = surface(shape)) return displaced->relief().greatest_radius;
+    const auto& geometry = scene_->shapes[std::size_t(shape)].geometry;
+    if (const auto* sphere = std::get_if<Sphere>(&geometry)) return sphere->radius;
+    if (const auto* disk = std::get_if<Disk>(&geometry)) return disk->radius;
+    double greatest = 0.0;
+    for (const dvec3& p : std::get<TriangleMesh>(geometry).points) greatest = std::max(greatest, glm::length(p));
+    return greatest;
 }
 
-dvec3 Tracer::shade(int shape, const dvec3& object_position, const Normals& normals, std::uint32_t lit) const {
-    const dvec3 point = transformPoint(scene_->shapes[std::size_t(shape)].world_from_object, object_position);
-    return shadeAt(shape, object_position, point, normals, lit);
+dvec3 Tracer::beside(const ShadingPoint& point, double offset) const {
+    const dmat3 linear(scene_->shapes[std::size_t(point.shape)].world_from_object);
+    return point.object_position + offset * unit(point.shape) * glm::normalize(point.normals.geometric * linear);
 }
 
-dvec3 Tracer::shadeAt(int shape, const dvec3& object_position, const dvec3& point, const Normals& normals,
-                      std::uint32_t lit) const {
-    dvec3 irradiance(0.0);
-    for (std::size_t k = 0; k < scene_->lights.size() && k < 32; ++k) {
-        if (!(lit >> k & 1u)) continue;
-        const dvec3 towards = lightRay(scene_->lights[k], point).direction;
-        const double distance2 = glm::dot(towards, towards);
-        if (distance2 == 0.0) continue;
-        const double smooth_cosine = std::max(0.0, glm::dot(normals.smooth, towards) / std::sqrt(distance2));
-        const double cosine = smooth_cosine * terminatorShare(normals, towards / std::sqrt(distance2), smooth_cosine);
-        if (const auto* light = std::get_if<PointLight>(&scene_->lights[k]))
-            irradiance += light->intensity * (cosine / distance2);
-        else
-            irradiance += std::get<DistantLight>(scene_->lights[k]).radiance * cosine;
-    }
-    return reflectance(shape, object_position) / kPi * irradiance;
+ShadingPoint Tracer::shadingPoint(const WorldHit& hit, const dvec3& direction) const {
+    return {.shape = hit.shape,
+            .object_position = hit.object_position,
+            .position = hit.position,
+            .normals = {hit.shading_normal, hit.smooth_normal},
+            .towards_viewer = -glm::normalize(direction)};
 }
 
 }  // namespace dsphere::reference

@@ -1,5 +1,8 @@
 #include "verify/compare.h"
 
+#include "reference/mesh.h"
+#include "verify/nearby.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +11,6 @@
 
 namespace dsphere::verify {
 
-using reference::LightRay;
 using reference::WorldHit;
 
 namespace {
@@ -16,28 +18,6 @@ namespace {
 double floatUlp(double t) {
     float value = std::abs(float(t));
     return double(std::nextafter(value, std::numeric_limits<float>::infinity())) - double(value);
-}
-
-double unitOf(const Shape& shape, const Relief& relief) {
-    if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) return sphere->radius;
-    if (const auto* disk = std::get_if<Disk>(&shape.geometry)) return disk->radius;
-    return relief.greatest_radius;
-}
-
-std::vector<double> unitsOf(const Scene& scene, const SceneMaps& maps) {
-    std::vector<double> units;
-    for (std::size_t i = 0; i < scene.shapes.size(); ++i) units.push_back(unitOf(scene.shapes[i], maps.reliefs[i]));
-    return units;
-}
-
-// Eight directions across a ray, for shapes that have no gradient worth following.
-std::vector<dvec3> ringOffsets(const dvec3& direction, double step) {
-    dvec3 d = glm::normalize(direction);
-    dvec3 e = glm::normalize(glm::cross(d, std::abs(d.x) < 0.6 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
-    dvec3 g = glm::cross(d, e);
-    std::vector<dvec3> offsets;
-    for (int k = 0; k < 8; ++k) offsets.push_back(step * (std::cos(kPi * k / 4) * e + std::sin(kPi * k / 4) * g));
-    return offsets;
 }
 
 std::string describe(const Answer& answer, const WorldHit& truth) {
@@ -54,13 +34,14 @@ std::string describe(const Answer& answer, const WorldHit& truth) {
 Comparison::Comparison(const Scene& scene, const SceneMaps& maps, Tolerance tolerance)
     : scene_(scene),
       tolerance_(tolerance),
-      units_(unitsOf(scene, maps)),
-      tracer_(scene, maps.perShape(), maps.reliefs, maps.imagePerShape()) {}
+      tracer_(scene, maps.perShape(), maps.reliefs, maps.imagePerShape(), maps.lightImage()) {}
 
 dvec3 Comparison::objectNormal(int shape, const dvec3& object_position) const {
     if (const reference::Surface* surface = tracer_.surface(shape)) return surface->normal(object_position);
-    bool disk = std::holds_alternative<Disk>(scene_.shapes[std::size_t(shape)].geometry);
-    return disk ? dvec3(0.0, 0.0, 1.0) : glm::normalize(object_position);
+    const auto& geometry = scene_.shapes[std::size_t(shape)].geometry;
+    if (const auto* mesh = std::get_if<TriangleMesh>(&geometry))
+        return reference::meshNormal(*mesh, reference::nearestOnMesh(*mesh, object_position).triangle);
+    return std::holds_alternative<Disk>(geometry) ? dvec3(0.0, 0.0, 1.0) : glm::normalize(object_position);
 }
 
 // A hit at a distance of delta from the surface stands some delta / |cos| before or behind its root; 4 allows for the
@@ -92,7 +73,7 @@ std::vector<dvec3> Comparison::sidewaysOffsets(int shape, const reference::Ray& 
     if (const reference::Surface* surface = tracer_.surface(shape)) {
         for (const reference::Ray& moved : reference::sidewaysRays(*surface, object_ray))
             offsets.push_back(moved.origin - object_ray.origin);
-    } else {
+    } else {  // no gradient worth following
         offsets = ringOffsets(object_ray.direction, contract::kSideways * unit(shape));
     }
     const dmat4& to_world = scene_.shapes[std::size_t(shape)].world_from_object;
@@ -154,6 +135,8 @@ double Comparison::surfaceDistance(const Answer& answer) const {
         distance = std::abs(surface->f(p)) / glm::length(surface->gradient(p));
     } else if (const auto* disk = std::get_if<Disk>(&scene_.shapes[std::size_t(answer.shape)].geometry)) {
         distance = std::abs(p.z - disk->height);
+    } else if (const auto* mesh = std::get_if<TriangleMesh>(&scene_.shapes[std::size_t(answer.shape)].geometry)) {
+        distance = reference::nearestOnMesh(*mesh, p).distance;
     } else {
         distance = std::abs(glm::length(p) - unit(answer.shape));
     }
@@ -165,8 +148,9 @@ void Comparison::checkSurface(Report& report, const WorldRay& ray, const Answer&
     report.distances.push_back(float(surfaceDistance(answer)));
 
     dvec3 n = transformNormal(tracer_.objectFromWorld(answer.shape), objectNormal(answer.shape, p));
-    bool disk = std::holds_alternative<Disk>(scene_.shapes[std::size_t(answer.shape)].geometry);
-    if (disk && glm::dot(n, ray.direction) > 0.0) n = -n;
+    const auto& geometry = scene_.shapes[std::size_t(answer.shape)].geometry;
+    bool flat = std::holds_alternative<Disk>(geometry) || std::holds_alternative<TriangleMesh>(geometry);
+    if (flat && glm::dot(n, ray.direction) > 0.0) n = -n;
     auto angleTo = [&](const dvec3& found) {
         return float(glm::degrees(std::atan2(glm::length(glm::cross(n, found)), glm::dot(n, found))));
     };
@@ -175,92 +159,6 @@ void Comparison::checkSurface(Report& report, const WorldRay& ray, const Answer&
     if (!surface || !surface->relief().smooth_normals || answer.smooth_normal == dvec3(0.0)) return;
     n = transformNormal(tracer_.objectFromWorld(answer.shape), surface->shadingNormal(p));
     report.normal_degrees.push_back(angleTo(answer.smooth_normal));
-}
-
-bool Comparison::tangentShadow(const Answer& answer, const LightAnswer& light, const WorldRay& shadow, double t_max,
-                               bool device_lit) const {
-    const dmat4& own_from_world = tracer_.objectFromWorld(answer.shape);
-    for (int shape = 0; shape < int(scene_.shapes.size()); ++shape) {
-        reference::Ray object_ray = tracer_.objectRay(shape, shadow.origin, shadow.direction);
-        if (shape == answer.shape) object_ray.origin = light.start;
-        object_ray.t_max = t_max;
-        object_ray.may_start_inside = false;
-        for (const dvec3& offset : sidewaysOffsets(shape, object_ray)) {
-            bool blocked = tracer_.occluded(shadow.origin + offset, shadow.direction, t_max, answer.shape,
-                                            light.start + transformVector(own_from_world, offset));
-            if (blocked != device_lit) return true;
-        }
-    }
-    return false;
-}
-
-void Comparison::checkShadow(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light,
-                             std::size_t k) const {
-    dvec3 start = transformPoint(scene_.shapes[std::size_t(answer.shape)].world_from_object, light.start);
-    LightRay towards = reference::lightRay(scene_.lights[k], start);
-    bool device_lit = (light.lit >> k & 1u) != 0;
-    double cosine = glm::dot(glm::normalize(towards.direction), answer.normal);
-    bool lit = cosine > 0.0 && !tracer_.occluded(start, towards.direction, towards.t_max, answer.shape, light.start);
-    ++report.shadow_rays;
-    if (lit == device_lit) return;
-    // A light in the tangent plane, to rounding: which side it is on is tangency too.
-    bool grazing = std::abs(cosine) < contract::kSideways;
-    if (grazing || tangentShadow(answer, light, {start, towards.direction}, towards.t_max, device_lit)) {
-        ++report.tangent_shadows;
-        return;
-    }
-    ++report.wrong_shadows;
-    report.addFault(index, fmt::format("light {}: device {}, reference {}, cos(N, L) = {:.3g}", k + 1,
-                                       device_lit ? "lit" : "shadowed", lit ? "lit" : "shadowed", cosine));
-}
-
-// How much a shape's reflectance can change within the rounding of a float position: on a steep map a height ramp turns
-// 5e-8 R sideways into 1e-4 of its colour.
-dvec3 Comparison::reflectanceSpread(const Answer& answer) const {
-    constexpr double kPositionRounding = 5.2e-8;  // half an ulp below 1 in each of three coordinates, in R
-    dvec3 centre = tracer_.reflectance(answer.shape, answer.object_position), spread(0.0);
-    double step = kPositionRounding * unit(answer.shape);
-    for (const dvec3& offset : ringOffsets(answer.object_position, step)) {
-        dvec3 beside = tracer_.reflectance(answer.shape, answer.object_position + offset);
-        spread = glm::max(spread, glm::abs(beside - centre));
-    }
-    return spread;
-}
-
-// A cosine of two float vectors is off by a few 1e-7 whatever its size, hence the part of the bound that does not
-// shrink towards the terminator.
-void Comparison::checkColour(Report& report, std::uint64_t index, const Answer& answer,
-                             const LightAnswer& light) const {
-    dvec3 colour = tracer_.shadeAt(answer.shape, answer.object_position, light.position,
-                                   {answer.normal, answer.smooth_normal}, light.lit);
-    dvec3 full(0.0);
-    for (const Light& source : scene_.lights) {
-        dvec3 towards = reference::lightRay(source, light.position).direction;
-        if (const auto* point = std::get_if<PointLight>(&source))
-            full += point->intensity / std::max(glm::dot(towards, towards), 1e-300);
-        else
-            full += std::get<DistantLight>(source).radiance;
-    }
-    dvec3 reflectance = tracer_.reflectance(answer.shape, answer.object_position);
-    const bool by_height = textureAs<HeightRamp>(scene_.shapes[std::size_t(answer.shape)].material) != nullptr;
-    dvec3 spread = by_height ? reflectanceSpread(answer) : dvec3(0.0);
-    ++report.colours;
-    double worst = 0.0;
-    for (int c = 0; c < 3; ++c) {
-        double irradiance = reflectance[c] > 0.0 ? colour[c] / reflectance[c] : full[c] / kPi;
-        double bound = contract::kColour * colour[c] + 1e-6 * reflectance[c] * full[c] / kPi + spread[c] * irradiance;
-        worst = std::max(worst, std::abs(light.colour[c] - colour[c]) / (bound + 1e-30));
-    }
-    report.worst_colour = std::max(report.worst_colour, worst);
-    if (worst <= 1.0) return;
-    ++report.wrong_colours;
-    report.addFault(index, fmt::format("colour: device {:.7g} {:.7g} {:.7g}, reference {:.7g} {:.7g} {:.7g}",
-                                       light.colour.r, light.colour.g, light.colour.b, colour.r, colour.g, colour.b));
-}
-
-void Comparison::checkLight(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light) const {
-    for (std::size_t k = 0; k < scene_.lights.size(); ++k) checkShadow(report, index, answer, light, k);
-    checkColour(report, index, answer, light);
 }
 
 }  // namespace dsphere::verify

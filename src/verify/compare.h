@@ -21,6 +21,7 @@ struct LightAnswer {
     dvec3 start{0.0};  ///< P', object units
     std::uint32_t lit = 0;
     dvec3 position{0.0}, colour{0.0};  ///< world P; direct light
+    reference::SampleSource source;    ///< the pixel whose numbers the lights' samples took
 };
 
 struct WorldRay {
@@ -40,14 +41,18 @@ class Comparison {
     /// Verdict, root, distance to the surface and normal of one ray.
     void checkHit(Report& report, std::uint64_t index, const WorldRay& ray, const Answer& answer) const;
     /// Shadow verdicts, then the colour at the device's own P, N and verdicts.
-    void checkLight(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light) const;
+    void checkLight(Report& report, std::uint64_t index, const WorldRay& ray, const Answer& answer,
+                    const LightAnswer& light) const;
 
-    /// The verdict on light `k` alone.
+    /// What a ray that misses sees, where the scene has a sky.
+    void checkMiss(Report& report, std::uint64_t index, const WorldRay& ray, const dvec3& colour) const;
+
+    /// The verdict on light `k` alone: whether its sample is seen from P'. A sample without light is not judged.
     void checkShadow(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light,
                      std::size_t k) const;
 
     /// The greatest radius R of a shape, object units: the length that is 1 on the device.
-    double unit(int shape) const { return units_[std::size_t(shape)]; }
+    double unit(int shape) const { return tracer_.unit(shape); }
     const reference::Tracer& tracer() const { return tracer_; }
 
   private:
@@ -62,13 +67,22 @@ class Comparison {
     bool tangent(const WorldRay& ray, const Answer& answer, int true_shape) const;
     void checkSurface(Report& report, const WorldRay& ray, const Answer& answer) const;
     bool tangentShadow(const Answer& answer, const LightAnswer& light, const WorldRay& shadow, double t_max,
-                       bool device_lit) const;
+                       int emitter, bool device_lit) const;
+    bool roundedShadow(const reference::ShadingPoint& point, const LightAnswer& light, int k,
+                       const reference::LightSample& sample, bool device_lit) const;
     dvec3 reflectanceSpread(const Answer& answer) const;
-    void checkColour(Report& report, std::uint64_t index, const Answer& answer, const LightAnswer& light) const;
+
+    /// The reference's colour, and how far off a right one may be.
+    struct Shade {
+        dvec3 colour{0.0}, bound{0.0};
+    };
+    bool isPlain(int shape) const;
+    Shade plainShade(const reference::ShadingPoint& point, const Answer& answer, const LightAnswer& light) const;
+    Shade fullShade(const reference::ShadingPoint& point, const LightAnswer& light) const;
+    void judgeColour(Report& report, std::uint64_t index, const dvec3& found, const Shade& truth) const;
 
     const Scene& scene_;
     Tolerance tolerance_;
-    std::vector<double> units_;
     reference::Tracer tracer_;
 };
 

@@ -85,6 +85,14 @@ WorldRay pixelRay(const Scene& scene, const Box& data, std::size_t index) {
     return {ray.origin, ray.direction};
 }
 
+/// The numbers of the pixel's planes: those of its sample 0.
+reference::SampleSource pixelSource(const Scene& scene, const Box& data, std::size_t index) {
+    const std::size_t width = std::size_t(data.width());
+    return {.x = std::uint32_t(data.x0) + std::uint32_t(index % width),
+            .y = std::uint32_t(data.y0) + std::uint32_t(index / width),
+            .seed = std::uint32_t(scene.sampler.seed)};
+}
+
 void comparePixel(Report& report, const Comparison& comparison, const Scene& scene, const Image& image,
                   const Channels& channels, std::size_t i) {
     Answer answer;
@@ -98,7 +106,9 @@ void comparePixel(Report& report, const Comparison& comparison, const Scene& sce
         answer.normal = Channels::at(channels.normal, i);
         answer.smooth_normal = Channels::at(channels.smooth_normal, i);
     }
-    comparison.checkHit(report, i, pixelRay(scene, image.data, i), answer);
+    const WorldRay ray = pixelRay(scene, image.data, i);
+    comparison.checkHit(report, i, ray, answer);
+    if (!answer.hit) comparison.checkMiss(report, i, ray, Channels::at(channels.colour, i));
     if (!answer.hit || answer.inside) return;
     LightAnswer light;
     light.start = Channels::at(channels.start, i) * comparison.unit(answer.shape);
@@ -111,7 +121,8 @@ void comparePixel(Report& report, const Comparison& comparison, const Scene& sce
     const double reach = glm::length(written) + glm::length(transformVector(to_world, answer.object_position));
     if (!(glm::distance(written, light.position) <= 4e-7 * reach)) light.position = written;
     light.colour = Channels::at(channels.colour, i);
-    comparison.checkLight(report, i, answer, light);
+    light.source = pixelSource(scene, image.data, i);
+    comparison.checkLight(report, i, ray, answer, light);
 }
 
 // Runs body(i) over all of `pixels` in chunks, merging the reports.
@@ -159,23 +170,16 @@ Image referenceImage(const Scene& scene, const SceneMaps& maps, const Progress& 
         WorldRay ray = pixelRay(scene, image.data, i);
         reference::WorldHit hit = tracer.firstHit(ray.origin, ray.direction);
         image.channels[3].floats()[i] = hit.hit ? float(hit.t()) : std::numeric_limits<float>::infinity();
-        if (!hit.hit) return;
-        const dmat4& to_object = tracer.objectFromWorld(hit.shape);
-        dvec3 outward = glm::normalize(glm::transpose(dmat3(scene.shapes[std::size_t(hit.shape)].world_from_object)) *
-                                       hit.shading_normal);
-        dvec3 start = hit.object_position + contract::kSideways * comparison.unit(hit.shape) * outward;
-        dvec3 world_start = transformPoint(glm::inverse(to_object), start);
-        std::uint32_t lit = 0;
-        for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-            reference::LightRay towards = reference::lightRay(scene.lights[k], world_start);
-            bool facing = glm::dot(towards.direction, hit.shading_normal) > 0.0;
-            if (facing && !tracer.occluded(world_start, towards.direction, towards.t_max, hit.shape, start))
-                lit |= 1u << k;
+        dvec3 colour = tracer.lights().environment(ray.direction);
+        if (hit.hit) {
+            const reference::ShadingPoint point = tracer.shadingPoint(hit, ray.direction);
+            const reference::SampleSource source = pixelSource(scene, image.data, i);
+            const std::uint32_t lit = tracer.litLights(point, source);
+            colour = tracer.directLight(point, source, lit);
+            image.channels[5].uints()[i] = lit;
         }
-        dvec3 colour = tracer.shade(hit.shape, hit.object_position, {hit.shading_normal, hit.smooth_normal}, lit);
         for (int c = 0; c < 3; ++c) image.channels[std::size_t(c)].floats()[i] = float(colour[c]);
         image.channels[4].uints()[i] = std::uint32_t(hit.shape + 1);
-        image.channels[5].uints()[i] = lit;
     });
     return image;
 }

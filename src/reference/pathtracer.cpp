@@ -1,0 +1,138 @@
+#include "reference/pathtracer.h"
+
+#include "base/parallel.h"
+#include "reference/camera.h"
+#include "reference/frame.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace dsphere::reference {
+namespace {
+
+double uniform(PathTracer::Random& random) {
+    return std::uniform_real_distribution<double>()(random);
+}
+
+dvec2 pairOf(PathTracer::Random& random) {
+    const double first = uniform(random);
+    return {first, uniform(random)};
+}
+
+double balance(double own, double other) {
+    return own / (own + other);
+}
+
+}  // namespace
+
+/// How a ray came about.
+struct PathTracer::Step {
+    dvec3 direction;
+    double density = 0.0;  ///< of the material's sample; 0: a camera ray or a mirror's, which nothing else samples
+    ShadingPoint from;     ///< where, unless density is 0
+};
+
+PathTracer::PathTracer(const Scene& scene, const SceneMaps& maps)
+    : scene_(&scene), tracer_(scene, maps.perShape(), maps.reliefs, maps.imagePerShape(), maps.lightImage()) {}
+
+// The Gaussian by rejection: its kernel is 1 - exp(-falloff radius^2) at most.
+dvec2 PathTracer::placeInFilter(Random& random) const {
+    const PixelFilter& filter = scene_->pixel_filter;
+    dvec2 place;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double radius = filter.radius[axis], end = std::exp(-filter.falloff * radius * radius);
+        do {
+            place[axis] = radius * (2.0 * uniform(random) - 1.0);
+        } while (filter.kind == PixelFilter::Kind::Gaussian &&
+                 uniform(random) * (1.0 - end) > std::exp(-filter.falloff * place[axis] * place[axis]) - end);
+    }
+    return place;
+}
+
+// Emission or environment at the end of a ray, less what light samples brought of it.
+dvec3 PathTracer::emitted(const WorldHit& hit, const Step& step) const {
+    const Lights& lights = tracer_.lights();
+    const dvec3 radiance =
+        hit.hit ? tracer_.emission(tracer_.shadingPoint(hit, step.direction)) : lights.environment(step.direction);
+    if (step.density == 0.0 || radiance == dvec3(0.0)) return radiance;
+    double other = 0.0;
+    for (int k = 0; k < int(scene_->lights.size()); ++k) {
+        const bool infinite = std::holds_alternative<InfiniteLight>(scene_->lights[std::size_t(k)]);
+        if (hit.hit ? lights.emitter(k) != hit.shape : !infinite) continue;
+        other = lights.density(k, step.from.position, step.from.normals.geometric, step.direction);
+    }
+    return radiance * balance(step.density, other);
+}
+
+dvec3 PathTracer::sampledLights(const ShadingPoint& point, const dvec3& start, Random& random) const {
+    const Frame frame(point.normals.smooth);
+    const Reflector& reflector = tracer_.reflector(point.shape);
+    dvec3 sum(0.0);
+    for (int k = 0; k < int(scene_->lights.size()); ++k) {
+        const LightSample sample = tracer_.lights().sample(k, point.position, point.normals.geometric, pairOf(random));
+        if (sample.weight == dvec3(0.0)) continue;
+        const dvec3 share = tracer_.reflected(point, sample.direction) * sample.weight;
+        if (share == dvec3(0.0) || !tracer_.seen(point, k, sample, start)) continue;
+        const double material = reflector.density(frame.toLocal(sample.direction), frame.toLocal(point.towards_viewer));
+        sum += share * (isPath() && sample.density > 0.0 ? balance(sample.density, material) : 1.0);
+    }
+    return sum;
+}
+
+dvec3 PathTracer::sample(const dvec3& origin, const dvec3& direction, Random& random) const {
+    dvec3 sum(0.0), throughput(1.0);
+    Step step{.direction = direction, .from = {}};
+    WorldHit hit = tracer_.firstHit(origin, direction);
+    for (int vertex = 0;; ++vertex) {
+        if (hit.inside) return sum;
+        sum += throughput * emitted(hit, step);
+        if (!hit.hit) return sum;
+        const ShadingPoint point = tracer_.shadingPoint(hit, step.direction);
+        const Reflector& reflector = tracer_.reflector(point.shape);
+        const dvec3 start = tracer_.beside(point);
+        const bool last = vertex >= scene_->integrator.max_depth;
+        if (!reflector.mirror() && !(isPath() && last)) sum += throughput * sampledLights(point, start, random);
+        if (last || !(reflector.mirror() || isPath())) return sum;
+
+        const Frame frame(point.normals.smooth);
+        const dvec3 v = frame.toLocal(point.towards_viewer), l = reflector.sample(v, pairOf(random), uniform(random));
+        step = {.direction = glm::normalize(frame.toWorld(l)), .density = reflector.density(l, v), .from = point};
+        if (!(glm::dot(step.direction, point.normals.geometric) > 0.0)) return sum;
+        if (reflector.mirror())
+            throughput *= *reflector.mirror();
+        else if (step.density > 0.0)
+            throughput *= tracer_.reflected(point, step.direction) / step.density;
+        else
+            return sum;
+        if (throughput == dvec3(0.0)) return sum;
+        hit = tracer_.nextHit(point.shape, start, step.direction);
+    }
+}
+
+Estimate PathTracer::mean(const Box& region, int samples, std::uint64_t seed) const {
+    dvec3 sum(0.0), squares(0.0);
+    std::vector<std::array<dvec3, 2>> rows(std::size_t(region.height()), {dvec3(0.0), dvec3(0.0)});
+    parallelFor(rows.size(), [&](std::size_t row) {
+        const int y = region.y0 + int(row);
+        std::seed_seq words{std::uint32_t(seed), std::uint32_t(seed >> 32), std::uint32_t(y)};
+        Random random(words);
+        for (int x = region.x0; x < region.x1; ++x)
+            for (int k = 0; k < samples; ++k) {
+                const dvec2 place = dvec2(x + 0.5, y + 0.5) + placeInFilter(random);
+                const CameraRay ray = cameraRay(scene_->camera, scene_->film, place.x, place.y);
+                const dvec3 value = sample(ray.origin, ray.direction, random);
+                rows[row][0] += value;
+                rows[row][1] += value * value;
+            }
+    });
+    for (const auto& row : rows) {
+        sum += row[0];
+        squares += row[1];
+    }
+    const double count = double(region.width()) * region.height() * samples;
+    const dvec3 mean = sum / count;
+    return {mean, glm::sqrt(glm::max(squares / count - mean * mean, dvec3(0.0)) / count)};
+}
+
+}  // namespace dsphere::reference
