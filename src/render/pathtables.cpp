@@ -30,14 +30,13 @@ void appendDistribution(std::vector<float>& table, std::span<const double> weigh
 // Of the bilinear image over each texel of a row: a texel's own value alone would leave out black ones beside bright ones.
 std::vector<double> texelMeans(const ColourMap& image, int row) {
     const int width = image.width(), last = image.height() - 1;
-    std::vector<double> down(std::size_t(width), 0.0), means(std::size_t(width));
+    std::vector<double> down, means;
     const int rows[] = {std::max(row - 1, 0), row, std::min(row + 1, last)};
+    auto light = [&](int i, int k) { return std::max(0.0, luminance(image.texel(i, rows[k]))); };
+    for (int i = 0; i < width; ++i) down.push_back(0.125 * light(i, 0) + 0.75 * light(i, 1) + 0.125 * light(i, 2));
+    auto column = [&](int i) { return down[std::size_t((i + width) % width)]; };
     for (int i = 0; i < width; ++i)
-        for (int k = 0; k < 3; ++k)
-            down[std::size_t(i)] += (k == 1 ? 0.75 : 0.125) * std::max(0.0, luminance(image.texel(i, rows[k])));
-    for (int i = 0; i < width; ++i)
-        means[std::size_t(i)] = 0.125 * down[std::size_t((i + width - 1) % width)] + 0.75 * down[std::size_t(i)] +
-                                0.125 * down[std::size_t((i + 1) % width)];
+        means.push_back(0.125 * column(i - 1) + 0.75 * column(i) + 0.125 * column(i + 1));
     return means;
 }
 
@@ -126,7 +125,7 @@ double fresnelOf(double cosine, double eta, double k) {
 }
 
 std::vector<float> imageDistribution(const ColourMap& image) {
-    const std::size_t width = std::size_t(image.width()), height = std::size_t(image.height());
+    const std::size_t height = std::size_t(image.height());
     std::vector<float> rows, columns;
     std::vector<double> sums(height);
     double total = 0.0;
