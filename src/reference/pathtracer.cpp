@@ -68,11 +68,12 @@ dvec3 PathTracer::emitted(const WorldHit& hit, const Step& step) const {
 dvec3 PathTracer::sampledLights(const ShadingPoint& point, const dvec3& start, Random& random) const {
     const Frame frame(point.normals.smooth);
     const Reflector& reflector = tracer_.reflector(point.shape);
+    const dvec3 colour = tracer_.reflectance(point.shape, point.object_position);
     dvec3 sum(0.0);
     for (int k = 0; k < int(scene_->lights.size()); ++k) {
         const LightSample sample = tracer_.lights().sample(k, point.position, point.normals.geometric, pairOf(random));
         if (sample.weight == dvec3(0.0)) continue;
-        const dvec3 share = tracer_.reflected(point, sample.direction) * sample.weight;
+        const dvec3 share = tracer_.reflected(point, sample.direction, colour) * sample.weight;
         if (share == dvec3(0.0) || !tracer_.seen(point, k, sample, start)) continue;
         const double material = reflector.density(frame.toLocal(sample.direction), frame.toLocal(point.towards_viewer));
         sum += share * (isPath() && sample.density > 0.0 ? balance(sample.density, material) : 1.0);

@@ -68,9 +68,13 @@ std::uint32_t Tracer::litLights(const ShadingPoint& point, const SampleSource& s
 }
 
 dvec3 Tracer::reflected(const ShadingPoint& point, const dvec3& l) const {
+    return reflected(point, l, reflectance(point.shape, point.object_position));
+}
+
+dvec3 Tracer::reflected(const ShadingPoint& point, const dvec3& l, const dvec3& colour) const {
     if (!(glm::dot(point.normals.geometric, l) > 0.0)) return dvec3(0.0);
     const Frame frame(point.normals.smooth);
-    const dvec3 local = frame.toLocal(l), colour = reflectance(point.shape, point.object_position);
+    const dvec3 local = frame.toLocal(l);
     if (!(local.z > 0.0)) return dvec3(0.0);
     return reflector(point.shape).f(local, frame.toLocal(point.towards_viewer), colour) *
            (local.z * terminatorShare(point.normals, l, local.z));

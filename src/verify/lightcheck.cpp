@@ -132,12 +132,15 @@ Comparison::Shade Comparison::plainShade(const ShadingPoint& point, const Answer
 // and the greatest changes added.
 Comparison::Shade Comparison::fullShade(const ShadingPoint& point, const LightAnswer& light) const {
     Shade shade{.colour = tracer_.emission(point)};
-    const std::vector<dvec3> places =
-        nearbyTexturePlaces(scene_, tracer_, point, objectNormal(point.shape, point.object_position));
+    const dvec3 texture = tracer_.reflectance(point.shape, point.object_position);
+    std::vector<dvec3> textures;
+    for (const dvec3& place :
+         nearbyTexturePlaces(scene_, tracer_, point, objectNormal(point.shape, point.object_position)))
+        textures.push_back(tracer_.reflectance(point.shape, place));
     for (int k = 0; k < int(scene_.lights.size()) && k < 32; ++k) {
         if (!(light.lit >> k & 1u)) continue;
         const LightSample sample = tracer_.lightSample(point, k, light.source);
-        const dvec3 share = tracer_.reflected(point, sample.direction) * sample.weight;
+        const dvec3 share = tracer_.reflected(point, sample.direction, texture) * sample.weight;
         shade.colour += share;
         auto widen = [&](const auto& neighbours, auto valueAt) {
             dvec3 most(0.0);
@@ -145,22 +148,16 @@ Comparison::Shade Comparison::fullShade(const ShadingPoint& point, const LightAn
             shade.bound += most;
         };
         widen(nearbySamples(scene_, tracer_, point, k, light.source),
-              [&](const LightSample& near) { return tracer_.reflected(point, near.direction) * near.weight; });
+              [&](const LightSample& near) { return tracer_.reflected(point, near.direction, texture) * near.weight; });
         widen(turned(sample.direction, rounding::kTurn),
-              [&](const dvec3& l) { return tracer_.reflected(point, l) * sample.weight; });
-        auto moved = [&](const ShadingPoint& near) {
-            return tracer_.reflected(near, sample.direction) * sample.weight;
-        };
+              [&](const dvec3& l) { return tracer_.reflected(point, l, texture) * sample.weight; });
         widen(turned(point.towards_viewer, rounding::kViewTurn), [&](const dvec3& v) {
             ShadingPoint near = point;
             near.towards_viewer = v;
-            return moved(near);
+            return tracer_.reflected(near, sample.direction, texture) * sample.weight;
         });
-        widen(places, [&](const dvec3& place) {
-            ShadingPoint near = point;
-            near.object_position = place;
-            return moved(near);
-        });
+        widen(textures,
+              [&](const dvec3& near) { return tracer_.reflected(point, sample.direction, near) * sample.weight; });
     }
     shade.bound += contract::kColour * shade.colour;
     return shade;

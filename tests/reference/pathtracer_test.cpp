@@ -4,6 +4,7 @@
 #include "reference/pathtracer.h"
 
 #include "tests/reference/maps.h"
+#include "tests/support/testcolours.h"
 
 #include <gtest/gtest.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -142,6 +143,36 @@ TEST(PathTracer, AreaLightByBothSamples) {
         scene.lights.emplace_back(AreaLight{.shape = 1, .radiance = dvec3(4.0), .two_sided = false});
         const SceneMaps maps = noMaps(scene);
         expectMean(PathTracer(scene, maps).mean(kFilm, 100), 0.5 * 4.0 / 9.0);
+    }
+}
+
+// One bounce by both samples is what light samples alone bring, whatever reflects and shines: densities that did not
+// fit together would show.
+TEST(PathTracer, OneBounceIsDirectLight) {
+    for (const Material& material :
+         {Material(Conductor{.alpha = 0.4}), Material(Plastic{.alpha = 0.3}), Material(Matte{.sigma = 30.0})}) {
+        Scene scene = sphereScene(material, 1);
+        addSky(scene, 1.0);
+        auto add = [&](const decltype(Shape::geometry)& geometry, const dmat4& place) {
+            Shape shape;
+            shape.geometry = geometry;
+            shape.world_from_object = place;
+            scene.lights.emplace_back(
+                AreaLight{.shape = int(scene.shapes.size()), .radiance = dvec3(5.0), .two_sided = false});
+            scene.shapes.push_back(shape);
+        };
+        add(Sphere{0.4}, glm::translate(dmat4(1.0), dvec3(1.0, 1.0, -1.2)));
+        add(Disk{.radius = 0.6, .inner_radius = 0.1}, glm::translate(dmat4(1.0), dvec3(-1.0, 1.0, -1.5)));
+        SceneMaps maps = noMaps(scene);
+        maps.images.push_back(std::make_unique<ColourMap>(dsphere::test::randomLight(16, 8), "sky"));
+        maps.light_image = 0;
+        Estimate found[2];
+        for (auto kind : {Integrator::Kind::DirectLighting, Integrator::Kind::Path}) {
+            scene.integrator.kind = kind;
+            found[int(kind)] = PathTracer(scene, maps).mean(kFilm, 1500, 1 + std::uint64_t(kind));
+            EXPECT_LT(found[int(kind)].error.g, 0.01 * found[int(kind)].mean.g);
+        }
+        EXPECT_NEAR(found[0].mean.g, found[1].mean.g, 5.0 * std::hypot(found[0].error.g, found[1].error.g));
     }
 }
 
