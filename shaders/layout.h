@@ -189,8 +189,8 @@ struct LightData {
     float inner_squared;   // LIGHT_DISK: the squared share of the inner radius
     float measure;         // LIGHT_SPHERE: its radius; LIGHT_DISK: its area
     int two_sided;
-    // LIGHT_IMAGE: size, place in the images, and in the tables: the rows' distribution, height + 1 values; after it
-    // each row's own, width + 1 values.
+    // LIGHT_IMAGE: size, place in the images, and in the tables: the rows' distribution, height + 1 values; each row's
+    // own, width + 1 values; the texels' densities over the unit square.
     int width, height, image_y, image_layer, image;
     int table, pad0, pad1, pad2;
 };

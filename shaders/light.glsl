@@ -131,10 +131,9 @@ vec3 environmentAt(LightData light, vec2 place) {
 
 // `sine` of the angle from the image's pole.
 float environmentDensity(LightData light, ivec2 texel, float sine) {
-    int row_table = light.table + light.height + 1 + texel.y * (light.width + 1);
-    float row = tables[light.table + texel.y + 1] - tables[light.table + texel.y];
-    float column = tables[row_table + texel.x + 1] - tables[row_table + texel.x];
-    return row * column * float(light.width) * float(light.height) / (2.0 * kPi * kPi * max(sine, 1e-7));
+    // Not a difference of rounded sums: those of faint texels would have few bits left.
+    int densities = light.table + light.height + 1 + light.height * (light.width + 1);
+    return tables[densities + texel.y * light.width + texel.x] / (2.0 * kPi * kPi * max(sine, 1e-7));
 }
 
 LightSample sampleEnvironment(LightData light, vec2 u) {

@@ -33,6 +33,7 @@ float facetLoss(MaterialData material, float cosine) {
 
 // Oren and Nayar's factor of Lambert's law.
 float roughFactor(MaterialData material, vec3 view, vec3 light) {
+    if (view.z <= 0.0) return material.rough_a;
     float sine_view = length(view.xy);
     float sine_light = length(light.xy);
     float product = sine_view * sine_light;
@@ -48,8 +49,9 @@ Scattering diffuseScattering(vec3 colour, float factor, vec3 light) {
     return result;
 }
 
-// The share of samples that go by the facets.
+// The share of samples that go by the facets. A viewer below the horizon of a smooth normal sees none.
 float facetShare(MaterialData material, vec3 view) {
+    if (view.z <= 0.0) return 0.0;
     return isMaterial(material, MATERIAL_CONDUCTOR) ? 1.0 - facetLoss(material, view.z) : 0.5;
 }
 
@@ -81,7 +83,8 @@ Scattering scatter(MaterialData material, vec3 colour, vec3 view, vec3 light) {
     if (light.z <= 0.0 || isMaterial(material, MATERIAL_MIRROR)) return result;
     if (isMaterial(material, MATERIAL_MATTE))
         return diffuseScattering(colour, roughFactor(material, view, light), light);
-    return facetScattering(material, colour, view, light);
+    if (view.z > 0.0) return facetScattering(material, colour, view, light);
+    return diffuseScattering(isMaterial(material, MATERIAL_PLASTIC) ? colour : vec3(0.0), 1.0, light);
 }
 
 // A direction to go on in; below the surface where a facet reflects into it. `lobe` chooses facets or cosine.

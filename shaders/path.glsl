@@ -45,9 +45,8 @@ Vertex makeVertex(SurfacePoint point, vec3 colour) {
     vertex.colour = colour;
     vec3 view = point.inside ? point.normal : normalize(-point.towards);
     vec3 normal = shadingNormal(point);
-    vertex.basis = basisAbout(dot(normal, view) > 0.0 ? normal : point.normal);
+    vertex.basis = basisAbout(normal);
     vertex.view = intoBasis(vertex.basis, view);
-    vertex.view.z = max(vertex.view.z, 1e-6);
     return vertex;
 }
 
@@ -79,6 +78,7 @@ float powerWeight(float own, float other) {
 struct Rules {
     bool centre;    // direct light alone, each light by its own sample, whose shadows are wanted even where it is dark
     bool shadowed;  // else light passes through everything
+    bool weighed;   // paths may meet the lights too
 };
 
 // Light k's share of what leaves the vertex, and whether its sample is `seen`. `chance`: of this light's being asked.
@@ -90,7 +90,7 @@ vec3 lightThrough(Vertex vertex, int k, vec2 u, float chance, Rules rules, out b
     vec3 direction = normalize(towards);
     Scattering scattering = scatterTowards(vertex, direction);
     vec3 result = scattering.value * light_sample.radiance / chance;
-    if (!rules.centre && light_sample.density > 0.0) result *= powerWeight(light_sample.density * chance, scattering.density);
+    if (rules.weighed && light_sample.density > 0.0) result *= powerWeight(light_sample.density * chance, scattering.density);
     seen = dot(point.normal, direction) > 0.0 && light.object != point.object;
     if (seen && rules.shadowed && (rules.centre || max(result.x, max(result.y, result.z)) > 0.0))
         seen = isVisible(point, light, light_sample, doubtful);
@@ -164,19 +164,20 @@ Gathered gather(Segment segment, Numbers numbers, Rules rules) {
         going = !result.doubtful && kWantsLight;
         if (going && sceneHasMetLights())
             result.colour += throughput * emitted(point, segment, segmentDirection(segment), departure);
-        going = going && point.hit && !(departure.density > 0.0 && kDiffusePaths == 0);
+        going = going && point.hit;
         if (!going) continue;
         Vertex vertex = makeVertex(point, albedoOf(point));
         if (n == 0) result.albedo = vertex.colour;
         if (n >= kMaxDepth && !rules.centre) continue;
 
         float draw = n == 0 ? 0.0 : numbersAt(numbers, n, kPairChoice).x;
-        int asked = n == 0 ? kLightCount : min(kLightCount, 1);
+        bool all = n == 0 || kDiffusePaths == 0;
+        int asked = all ? kLightCount : min(kLightCount, 1);
         for (int i = 0; i < asked; ++i) {
-            int k = n == 0 ? i : drawnLight(draw);
+            int k = all ? i : drawnLight(draw);
             vec2 u = numbersAt(numbers, n, kPairLights + uint(k));
             bool seen = false;
-            vec3 light = lightThrough(vertex, k, u, n == 0 ? 1.0 : lights[k].share, rules, seen, result.doubtful);
+            vec3 light = lightThrough(vertex, k, u, all ? 1.0 : lights[k].share, rules, seen, result.doubtful);
             result.colour += throughput * light;
             if (n == 0 && seen) result.lit |= 1u << k;
         }
@@ -188,13 +189,12 @@ Gathered gather(Segment segment, Numbers numbers, Rules rules) {
         if (mirrored) {
             throughput *= vertex.material.specular.rgb;
             departure.density = 0.0;
-            going = dot(point.normal, segment.direction) > 0.0;
+            going = local.z > 0.0 && dot(point.normal, segment.direction) > 0.0;
         } else {
             Scattering scattering = scatterTowards(vertex, segment.direction);
             throughput *= scattering.density > 0.0 ? scattering.value / scattering.density : vec3(0.0);
             departure.density = scattering.density;
-            going = max(throughput.x, max(throughput.y, throughput.z)) > 0.0 &&
-                    (kDiffusePaths != 0 || sceneHasMetLights());
+            going = kDiffusePaths != 0 && max(throughput.x, max(throughput.y, throughput.z)) > 0.0;
         }
         if (n >= kRouletteFrom) {
             float chance = min(max(throughput.x, max(throughput.y, throughput.z)), 0.95);

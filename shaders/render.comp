@@ -94,6 +94,7 @@ Gathered gatherSample(ivec2 raster) {
     Rules rules;
     rules.centre = params.sample_index < 0;
     rules.shadowed = params.sample_index >= -1;
+    rules.weighed = !rules.centre && kDiffusePaths != 0;
     Numbers numbers;
     numbers.key = pixelKey(raster.x, raster.y, params.seed);
     numbers.index = max(params.sample_index, 0);

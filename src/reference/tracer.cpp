@@ -117,9 +117,15 @@ double Tracer::unit(int shape) const {
     const auto& geometry = scene_->shapes[std::size_t(shape)].geometry;
     if (const auto* sphere = std::get_if<Sphere>(&geometry)) return sphere->radius;
     if (const auto* disk = std::get_if<Disk>(&geometry)) return disk->radius;
+    const auto& mesh = std::get<TriangleMesh>(geometry);
     double greatest = 0.0;
-    for (const dvec3& p : std::get<TriangleMesh>(geometry).points) greatest = std::max(greatest, glm::length(p));
+    for (const dvec3& p : mesh.points) greatest = std::max(greatest, glm::length(p - middleOf(mesh)));
     return greatest;
+}
+
+dvec3 Tracer::middle(int shape) const {
+    const auto* mesh = std::get_if<TriangleMesh>(&scene_->shapes[std::size_t(shape)].geometry);
+    return mesh ? middleOf(*mesh) : dvec3(0.0);
 }
 
 dvec3 Tracer::beside(const ShadingPoint& point, double offset) const {

@@ -82,8 +82,10 @@ class Tracer {
     const Lights& lights() const { return lights_; }
 
     /// The greatest radius R of a shape, the length that its tolerances are in, object units: a disk's own radius, of a
-    /// mesh the distance of its farthest point from the origin.
+    /// mesh the distance of its farthest point from its middle.
     double unit(int shape) const;
+    /// What R and device coordinates are counted from, object space: the origin, or the middle of a mesh.
+    dvec3 middle(int shape) const;
     /// P' beside a point, where shadow rays start: moved along the geometric normal by `offset` R, object space.
     dvec3 beside(const ShadingPoint& point, double offset = 1e-6) const;
 

@@ -41,7 +41,7 @@ dmat4 translated(dmat4 m, const dvec3& by) {
 // A mesh lies about its own centre on the device.
 dmat4 worldFromDevice(const Shape& shape) {
     const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry);
-    return mesh ? translated(shape.world_from_object, meshCentre(*mesh)) : shape.world_from_object;
+    return mesh ? translated(shape.world_from_object, middleOf(*mesh)) : shape.world_from_object;
 }
 
 dvec3 centreOf(const Shape& shape) {

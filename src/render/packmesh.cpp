@@ -11,17 +11,8 @@ constexpr std::array<dvec2, 3> kOwnUvs = {dvec2(0.0, 0.0), dvec2(1.0, 0.0), dvec
 
 }  // namespace
 
-dvec3 meshCentre(const TriangleMesh& mesh) {
-    dvec3 least = mesh.points.front(), greatest = least;
-    for (const dvec3& point : mesh.points) {
-        least = glm::min(least, point);
-        greatest = glm::max(greatest, point);
-    }
-    return 0.5 * (least + greatest);
-}
-
 double packMesh(layout::ObjectData& object, const TriangleMesh& mesh, std::vector<layout::TriangleData>& triangles) {
-    const dvec3 centre = meshCentre(mesh);
+    const dvec3 centre = middleOf(mesh);
     double unit = 0.0;
     for (const dvec3& point : mesh.points) unit = std::max(unit, glm::length(point - centre));
     object.first_triangle = int(triangles.size());

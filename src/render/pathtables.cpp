@@ -126,19 +126,24 @@ double fresnelOf(double cosine, double eta, double k) {
 
 std::vector<float> imageDistribution(const ColourMap& image) {
     const std::size_t height = std::size_t(image.height());
-    std::vector<float> rows, columns;
+    std::vector<float> rows, columns, densities;
     std::vector<double> sums(height);
     double total = 0.0;
     for (std::size_t j = 0; j < height; ++j) {
         const std::vector<double> of_row = texelMeans(image, int(j));
         double sum = 0.0;
         for (double value : of_row) sum += value;
-        sums[j] = sum * std::sin(kPi * (double(j) + 0.5) / double(height));
+        const double sine = std::sin(kPi * (double(j) + 0.5) / double(height));
+        for (double value : of_row) densities.push_back(float(value * sine));
+        sums[j] = sum * sine;
         total += sums[j];
         appendDistribution(columns, of_row, sum);
     }
     appendDistribution(rows, sums, total);
+    const double texels = double(densities.size());
+    for (float& density : densities) density = total > 0.0 ? float(double(density) * texels / total) : 1.0f;
     rows.insert(rows.end(), columns.begin(), columns.end());
+    rows.insert(rows.end(), densities.begin(), densities.end());
     return rows;
 }
 

@@ -41,7 +41,7 @@ FacetLoss facetLoss(double alpha);
 double fresnelOf(double cosine, double eta, double k);
 
 /// The distribution that texels of an equirectangular image are drawn by: cumulative, of the rows (height + 1 values),
-/// then each row's own (width + 1 values).
+/// then each row's own (width + 1 values); and the texels' densities over the unit square.
 std::vector<float> imageDistribution(const ColourMap& image);
 
 }  // namespace dsphere

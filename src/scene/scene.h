@@ -129,6 +129,9 @@ struct TriangleMesh {
     bool operator==(const TriangleMesh&) const = default;
 };
 
+/// The middle of its bounding box: what a mesh's tolerances and device coordinates are counted from.
+dvec3 middleOf(const TriangleMesh& mesh);
+
 struct ConstantColour {
     dvec3 rgb{0.5};
 

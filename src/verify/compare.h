@@ -53,6 +53,10 @@ class Comparison {
 
     /// The greatest radius R of a shape, object units: the length that is 1 on the device.
     double unit(int shape) const { return tracer_.unit(shape); }
+    /// A point in the device's object space, in object units.
+    dvec3 objectPoint(int shape, const dvec3& on_device) const {
+        return tracer_.middle(shape) + unit(shape) * on_device;
+    }
     const reference::Tracer& tracer() const { return tracer_; }
 
   private:

@@ -102,7 +102,7 @@ void comparePixel(Report& report, const Comparison& comparison, const Scene& sce
     if ((*channels.flags)[i] & 2u) ++report.runaways;
     if (answer.hit) {
         answer.t = (*channels.t)[i];
-        answer.object_position = Channels::at(channels.object, i) * comparison.unit(answer.shape);
+        answer.object_position = comparison.objectPoint(answer.shape, Channels::at(channels.object, i));
         answer.normal = Channels::at(channels.normal, i);
         answer.smooth_normal = Channels::at(channels.smooth_normal, i);
     }
@@ -111,7 +111,7 @@ void comparePixel(Report& report, const Comparison& comparison, const Scene& sce
     if (!answer.hit) comparison.checkMiss(report, i, ray, Channels::at(channels.colour, i));
     if (!answer.hit || answer.inside) return;
     LightAnswer light;
-    light.start = Channels::at(channels.start, i) * comparison.unit(answer.shape);
+    light.start = comparison.objectPoint(answer.shape, Channels::at(channels.start, i));
     light.lit = (*channels.lit)[i];
     // Far from the origin the last place of P is more than lamps nearby allow; a P that is off by more is taken as it
     // is.
