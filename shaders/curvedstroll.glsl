@@ -39,10 +39,11 @@ real gapAhead(real place, bool forward, real size) {
     return forward ? greater(size - place, real(0)) : lesser(-place, real(0));
 }
 
-// Goes on to the chord's end, or stays for half of it.
+// Goes on to the chord's end, or stays for half of it. The limit that was not too long is doubled, not the chord, which an
+// edge may have cut to nothing.
 void moveOn(INOUT(Stroll) stroll, MapData map, bvec2 leaves, bvec2 forward, real height, bool halve) {
     real by = stroll.high - stroll.low;
-    stroll.longest = halve ? real(0.5) * by : real(2) * by;
+    stroll.longest = halve ? real(0.5) * by : real(2) * stroll.longest;
     if (halve) return;
     real below = forward.y ? height : -rowHeight(map, stroll.cell.y - 1);
     stroll.x = stroll.high;

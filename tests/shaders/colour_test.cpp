@@ -37,8 +37,8 @@ struct Painted {
         const PackedCentres centres = packImage(object, image, texture.scale, longitude_origin, inner);
         object.image_centres_y = 2;
         resources.image = &image;
-        resources.column_centres = centres.columns;
-        resources.row_centres = centres.rows;
+        resources.edges[2] = centres.columns;
+        resources.edges[3] = centres.rows;
         current_resources = &resources;
     }
 };
