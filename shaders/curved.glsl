@@ -65,14 +65,10 @@ Patch splinePatch(MapData map, real scale, ivec2 cell) {
 }
 
 Patch bilinearPatch(MapData map, real scale, ivec2 cell) {
-    int next = cell.x + 1 == map.width ? 0 : cell.x + 1;
-    real nw = scale * heightAt(map, cell.x, cell.y);
-    real ne = scale * heightAt(map, next, cell.y);
-    real sw = scale * heightAt(map, cell.x, cell.y + 1);
-    real se = scale * heightAt(map, next, cell.y + 1);
+    vec4 of = bilinearOf(map, scale, cell);
     Patch quad = flatPatch();
-    quad.c0 = vec4(nw, ne - nw, real(0), real(0));
-    quad.c1 = vec4(sw - nw, (se - sw) - (ne - nw), real(0), real(0));
+    quad.c0 = vec4(of.x, of.y, real(0), real(0));
+    quad.c1 = vec4(of.z, of.w, real(0), real(0));
     return quad;
 }
 

@@ -34,24 +34,6 @@ bool fallsThrough(Chord chord, real band) {
     return chord.g + chord.slope + chord.bend < -band && steepest_rise < real(-100) * chord.miss;
 }
 
-// From the start of the chord to the cell's edge that lies ahead, along one coordinate.
-real gapAhead(real place, bool forward, real size) {
-    return forward ? greater(size - place, real(0)) : lesser(-place, real(0));
-}
-
-// Goes on to the chord's end, or stays for half of it.
-void moveOn(INOUT(Stroll) stroll, MapData map, bvec2 leaves, bvec2 forward, real height, bool halve) {
-    real by = stroll.high - stroll.low;
-    stroll.longest = halve ? real(0.5) * by : real(2) * by;
-    if (halve) return;
-    real below = forward.y ? height : -rowHeight(map, stroll.cell.y - 1);
-    stroll.x = stroll.high;
-    stroll.cell.x = wrapColumn(stroll.cell.x + (leaves.x ? (forward.x ? 1 : -1) : 0), map.width);
-    stroll.corner.x += leaves.x ? (forward.x ? real(1) : real(-1)) : real(0);
-    stroll.cell.y += leaves.y ? (forward.y ? 1 : -1) : 0;
-    stroll.corner.y += leaves.y ? below : real(0);
-}
-
 void strollStep(INOUT(Stroll) stroll, Piece piece, MapData map, real scale, bool may_be_inside) {
     Patch quad = fetchPatch(map, scale, stroll.cell);  // too much to carry along: filterMarch fetches the hit's again
     real height = rowHeight(map, stroll.cell.y);
@@ -86,5 +68,7 @@ void strollStep(INOUT(Stroll) stroll, Piece piece, MapData map, real scale, bool
     stroll.low = x;
     stroll.high = x + by;
     bvec2 leaves = bvec2(to_u.crosses && to_u.by <= by, to_v.crosses && to_v.by <= by);
-    if (stroll.going) moveOn(stroll, map, leaves, forward, height, halve);
+    // The limit that was not too long is doubled, not the chord, which an edge may have cut to nothing.
+    stroll.longest = halve ? real(0.5) * by : real(2) * stroll.longest;
+    if (stroll.going && !halve) strollOn(stroll, map, leaves, forward, height);
 }

@@ -130,6 +130,22 @@ struct Stroll {
 #endif
 };
 
+// From a place in a cell to the edge that lies ahead, along one coordinate. A place that rounding has put beyond the edge
+// already is taken as on it.
+real gapAhead(real place, bool forward, real size) {
+    return forward ? greater(size - place, real(0)) : lesser(-place, real(0));
+}
+
+// On to the last chord's end, and over the edges that it `leaves` the cell by. `height`: the cell's, in rows.
+void strollOn(INOUT(Stroll) stroll, MapData map, bvec2 leaves, bvec2 forward, real height) {
+    real below = forward.y ? height : -rowHeight(map, stroll.cell.y - 1);
+    stroll.x = stroll.high;
+    stroll.cell.x = wrapColumn(stroll.cell.x + (leaves.x ? (forward.x ? 1 : -1) : 0), map.width);
+    stroll.corner.x += leaves.x ? (forward.x ? real(1) : real(-1)) : real(0);
+    stroll.cell.y += leaves.y ? (forward.y ? 1 : -1) : 0;
+    stroll.corner.y += leaves.y ? below : real(0);
+}
+
 #ifdef WITH_CURVED
 void strollStep(INOUT(Stroll) stroll, Piece piece, MapData map, real scale, bool may_be_inside);  // curvedstroll.glsl
 #else
@@ -163,14 +179,10 @@ void strollStep(INOUT(Stroll) stroll, Piece piece, MapData map, real scale, bool
     real x = stroll.x;
     vec3 place = piece.start + x * (piece.slope + x * piece.bend) - vec3(stroll.corner, real(0));
     vec3 rate = piece.slope + (real(2) * x) * piece.bend;
-    bool east = rate.x > real(0);
-    bool south = rate.y > real(0);
-    // A coordinate that rounding has put beyond the edge already is taken as on it.
-    real gap_u = east ? greater(real(1) - place.x, real(0)) : lesser(-place.x, real(0));
-    real gap_v = south ? greater(height - place.y, real(0)) : lesser(-place.y, real(0));
-    Advance to_u = advanceTo(gap_u, rate.x, piece.bend.x);
-    Advance to_v = advanceTo(gap_v, rate.y, piece.bend.y);
-    bool pole_edge = stroll.cell.y == (south ? map.rows - 1 : 0);
+    bvec2 forward = bvec2(rate.x > real(0), rate.y > real(0));
+    Advance to_u = advanceTo(gapAhead(place.x, forward.x, real(1)), rate.x, piece.bend.x);
+    Advance to_v = advanceTo(gapAhead(place.y, forward.y, height), rate.y, piece.bend.y);
+    bool pole_edge = stroll.cell.y == (forward.y ? map.rows - 1 : 0);
     to_v.by = pole_edge && to_v.crosses ? kInfinity : to_v.by;
     real by = lesser(lesser(to_u.by, to_v.by), real(1) - x);
 
@@ -191,16 +203,8 @@ void strollStep(INOUT(Stroll) stroll, Piece piece, MapData map, real scale, bool
     stroll.high = x + by;
     stroll.quad = quad;
     stroll.chord = chord;
-    if (stroll.going) {
-        bool leaves_u = to_u.crosses && to_u.by <= by;
-        bool leaves_v = to_v.crosses && to_v.by <= by;
-        real below = south ? height : -rowHeight(map, stroll.cell.y - 1);
-        stroll.x = stroll.high;
-        stroll.cell.x = wrapColumn(stroll.cell.x + (leaves_u ? (east ? 1 : -1) : 0), map.width);
-        stroll.corner.x += leaves_u ? (east ? real(1) : real(-1)) : real(0);
-        stroll.cell.y += leaves_v ? (south ? 1 : -1) : 0;
-        stroll.corner.y += leaves_v ? below : real(0);
-    }
+    bvec2 leaves = bvec2(to_u.crosses && to_u.by <= by, to_v.crosses && to_v.by <= by);
+    if (stroll.going) strollOn(stroll, map, leaves, forward, height);
 }
 
 #endif

@@ -61,19 +61,25 @@ vec3 gradientOf(vec3 p, real rho, real radius, real slope_east, real slope_south
     return outward - slope_east * east - slope_south * southward;
 }
 
-#ifndef WITH_CURVED
-// The patch of a cell from its four corners: `cell` is the north-west one; the column after the last is the first.
-Patch fetchPatch(MapData map, real scale, ivec2 cell) {
+// Coefficients of 1, fu, fv and fu fv of the bilinear patch over a cell, from its four corners: `cell` is the north-west
+// one; the column after the last is the first.
+vec4 bilinearOf(MapData map, real scale, ivec2 cell) {
     int next = cell.x + 1 == map.width ? 0 : cell.x + 1;
     real nw = scale * heightAt(map, cell.x, cell.y);
     real ne = scale * heightAt(map, next, cell.y);
     real sw = scale * heightAt(map, cell.x, cell.y + 1);
     real se = scale * heightAt(map, next, cell.y + 1);
+    return vec4(nw, ne - nw, sw - nw, (se - sw) - (ne - nw));
+}
+
+#ifndef WITH_CURVED
+Patch fetchPatch(MapData map, real scale, ivec2 cell) {
+    vec4 of = bilinearOf(map, scale, cell);
     Patch quad;
-    quad.a = nw;
-    quad.b = ne - nw;
-    quad.c = sw - nw;
-    quad.d = (se - sw) - (ne - nw);
+    quad.a = of.x;
+    quad.b = of.y;
+    quad.c = of.z;
+    quad.d = of.w;
     return quad;
 }
 

@@ -18,15 +18,29 @@ const char* nameOf(Registration registration) {
     return registration == Registration::Texel ? "texel" : "gridline";
 }
 
-// What the marcher reads of a map: a float a node, the bounds of one relief (six faces of a cube and their pyramids),
-// and two rows of edge directions.
-void addDevice(Json& json, const NodeGrid& nodes) {
+constexpr std::uint64_t kHeightBytes = 4, kSplineBytes = 16;  // a node
+
+// Of a node of the map's grid on the device, by what the shapes with that map read of it.
+std::uint64_t bytesPerNode(const SceneMaps& maps, int map) {
+    bool heights = false, spline = false;
+    for (std::size_t k = 0; k < maps.map_of_shape.size(); ++k) {
+        if (maps.map_of_shape[k] != map) continue;
+        const Relief& relief = maps.reliefs[k];
+        heights = heights || relief.filter == Filter::Bilinear;
+        spline = spline || relief.filter == Filter::BSpline || relief.smooth_normals;
+    }
+    return (heights ? kHeightBytes : 0) + (spline ? kSplineBytes : 0);
+}
+
+// What the marcher reads of a map: its nodes, the bounds of one relief (six faces of a cube and their pyramids), and
+// two rows of edge directions.
+void addDevice(Json& json, const NodeGrid& nodes, std::uint64_t node_bytes) {
     std::uint64_t side = std::uint64_t(boundsSide(nodes.width()));
     bool ripples = nodes.map().ripples.has_value();
     std::uint64_t node_count = ripples ? 0 : std::uint64_t(nodes.width()) * std::uint64_t(nodes.rows() + 1);
     std::uint64_t edges = (ripples ? 4 : 2) * std::uint64_t(std::max(nodes.width(), nodes.rows()));
     json["bounds"] = {{"side", side}, {"levels", std::bit_width(side)}, {"bytes", 4 * 9 * side * side}};
-    json["device_bytes"] = 4 * node_count + 4 * 9 * side * side + 16 * edges;
+    json["device_bytes"] = node_bytes * node_count + 4 * 9 * side * side + 16 * edges;
 }
 
 // A texel by its place in the file and on the planet, degrees.
@@ -76,11 +90,12 @@ Json describeMapFile(const std::string& path) {
     DisplacedSphere shape;
     shape.map_path = path;
     const Heightmap heightmap = makeHeightmap(std::move(map), shape);
-    addDevice(json, NodeGrid(heightmap));
+    addDevice(json, NodeGrid(heightmap), kHeightBytes);
     return json;
 }
 
-Json describeMap(const Heightmap& map) {
+Json describeMap(const SceneMaps& maps, int index) {
+    const Heightmap& map = *maps.maps[std::size_t(index)];
     Json json = {{"path", map.path.empty() ? Json(nullptr) : Json(map.path)},
                  {"type", map.type},
                  {"width", map.width},
@@ -90,7 +105,7 @@ Json describeMap(const Heightmap& map) {
                  {"nodata_texels", map.nodata_count},
                  {"registration", nameOf(map.registration)},
                  {"longitude_origin", map.longitude_origin}};
-    addDevice(json, NodeGrid(map));
+    addDevice(json, NodeGrid(map), bytesPerNode(maps, index));
     return json;
 }
 
@@ -122,7 +137,7 @@ Json describeSceneFile(const std::string& path) {
                  {"images", Json::array()},
                  {"lights", Json::array()}};
     for (std::size_t k = 0; k < scene.shapes.size(); ++k) json["shapes"].push_back(describeShape(scene, maps, k));
-    for (const auto& map : maps.maps) json["maps"].push_back(describeMap(*map));
+    for (int k = 0; k < int(maps.maps.size()); ++k) json["maps"].push_back(describeMap(maps, k));
     for (const auto& image : maps.images) json["images"].push_back(describeImage(*image));
     for (const Light& light : scene.lights) json["lights"].push_back(describeLight(light, maps));
     return json;

@@ -32,6 +32,15 @@ std::array<double, 4> basis(double t) {
     return {s * s * s / 6.0, 2.0 / 3.0 - t * t * (1.0 - 0.5 * t), 2.0 / 3.0 - s * s * (1.0 - 0.5 * s), t * t * t / 6.0};
 }
 
+/// Of point(row, column), weighed by a basis of rows and one of columns.
+template <std::size_t kRows, std::size_t kColumns>
+double weighed(const std::array<double, kRows>& v, const std::array<double, kColumns>& u, const auto& point) {
+    double sum = 0.0;
+    for (std::size_t m = 0; m < kRows; ++m)
+        for (std::size_t k = 0; k < kColumns; ++k) sum += v[m] * u[k] * point(m, k);
+    return sum;
+}
+
 // Of the differences of neighbouring control points: the quadratic B-spline.
 std::array<double, 3> slopeBasis(double t) {
     const double s = 1.0 - t;
@@ -57,27 +66,13 @@ struct SplineField::Controls {
     std::array<std::array<double, 4>, 4> c;
 
     double value(double a, double b) const {
-        const auto u = basis(a), v = basis(b);
-        double sum = 0.0;
-        for (std::size_t m = 0; m < 4; ++m)
-            for (std::size_t k = 0; k < 4; ++k) sum += v[m] * u[k] * c[m][k];
-        return sum;
+        return weighed(basis(b), basis(a), [&](std::size_t m, std::size_t k) { return c[m][k]; });
     }
     double east(double a, double b) const {
-        const auto u = slopeBasis(a);
-        const auto v = basis(b);
-        double sum = 0.0;
-        for (std::size_t m = 0; m < 4; ++m)
-            for (std::size_t k = 0; k < 3; ++k) sum += v[m] * u[k] * (c[m][k + 1] - c[m][k]);
-        return sum;
+        return weighed(basis(b), slopeBasis(a), [&](std::size_t m, std::size_t k) { return c[m][k + 1] - c[m][k]; });
     }
     double south(double a, double b) const {
-        const auto u = basis(a);
-        const auto v = slopeBasis(b);
-        double sum = 0.0;
-        for (std::size_t m = 0; m < 3; ++m)
-            for (std::size_t k = 0; k < 4; ++k) sum += v[m] * u[k] * (c[m + 1][k] - c[m][k]);
-        return sum;
+        return weighed(slopeBasis(b), basis(a), [&](std::size_t m, std::size_t k) { return c[m + 1][k] - c[m][k]; });
     }
     // The second derivatives are averages of second differences, so these bound them over the cell.
     double bendEast() const {

@@ -254,7 +254,8 @@ DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, std::sh
     if (!packed.images.empty())
         image_bytes_ =
             std::uint64_t(images_.width()) * images_.height() * images_.layers() * texelBytes(images_.format());
-    std::vector<const gpu::StorageImage*> of_maps = {&heights_, &bounds_, &edges_};
+    std::vector<const gpu::StorageImage*> of_maps = {&bounds_, &edges_};
+    if (std::ranges::any_of(layout_->uses, &MapUse::heights)) of_maps.push_back(&heights_);
     if (std::ranges::any_of(layout_->uses, &MapUse::spline)) of_maps.push_back(&nodes_);
     for (const gpu::StorageImage* image : of_maps)
         map_bytes_ += std::uint64_t(image->width()) * image->height() * image->layers() * texelBytes(image->format());

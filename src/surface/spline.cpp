@@ -103,10 +103,14 @@ std::vector<float> SplineNodes::extremes(bool greatest) const {
         std::vector<Node> nodes = row(int(j));
         for (std::size_t i = 0; i < width; ++i) {
             const auto [value, east, south, twist] = nodes[i];
-            float a = east / 3.0f, b = south / 3.0f, c = twist / 9.0f;
-            float up = std::max({0.0f, std::abs(a), std::abs(b), std::abs(a + b) + c, std::abs(a - b) - c});
-            float down = std::max({0.0f, std::abs(a), std::abs(b), std::abs(a + b) - c, std::abs(a - b) + c});
-            all[j * width + i] = greatest ? value + up : value - down;
+            const float sign = greatest ? 1.0f : -1.0f, a = sign * east / 3.0f;
+            float reach = std::abs(a);
+            for (float side : {-1.0f, 1.0f}) {
+                if (int(j) == (side < 0.0f ? 0 : nodes_.rows())) continue;  // beyond a pole there is no cell
+                const float b = sign * side * south / 3.0f, c = sign * side * twist / 9.0f;
+                reach = std::max(reach, b + std::max({0.0f, a + c, -a - c}));
+            }
+            all[j * width + i] = value + sign * reach;
         }
     });
     return all;

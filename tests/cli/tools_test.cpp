@@ -81,6 +81,21 @@ TEST_F(InfoTest, OfAScene) {
     EXPECT_EQ(j["maps"][0]["device_bytes"], json::parse(render.out)["map_bytes"]);
 }
 
+// A spline's node is four floats, and a bilinear map with smooth normals has both.
+TEST_F(InfoTest, BytesOfCurvedSurfacesAreThoseOfARender) {
+    std::uint64_t bilinear = info("planet.pbrt")["maps"][0]["device_bytes"];
+    for (const auto& [parameter, ratio] :
+         {std::pair<std::string, int>{"\"string filter\" \"bspline\"", 4}, {"\"bool smoothnormals\" true", 5}}) {
+        SCOPED_TRACE(parameter);
+        folder_.write("curved.pbrt", planet("\"float maxdispl\" 10 " + parameter));
+        std::uint64_t bytes = info("curved.pbrt")["maps"][0]["device_bytes"];
+        EXPECT_GT(bytes, bilinear + 4 * 512 * 256 * (ratio - 1));
+        Outcome render = run({"render", "curved.pbrt", "--json", "--quiet"});
+        ASSERT_EQ(render.code, 0) << render.err;
+        EXPECT_EQ(bytes, json::parse(render.out)["map_bytes"]);
+    }
+}
+
 TEST_F(InfoTest, TextAndStandardInput) {
     Outcome outcome = run(Launch{.arguments = {"info", "-"}, .input = planet()});
     EXPECT_EQ(outcome.code, 0) << outcome.err;

@@ -1,5 +1,5 @@
 // The main picture's map and three generated ones, 4096x2048, every pixel of 1280x720 in the three views of
-// bench: 921,600 rays each.
+// bench: 921,600 rays each. Of the curved surfaces a 16th of that.
 
 #include "bench/views.h"
 #include "tests/conformance/fixture.h"
@@ -14,16 +14,17 @@ using Acceptance = Conformance;
 
 constexpr int kWidth = 4096, kHeight = 2048;
 
-void expectAllViews(World world) {
+void expectAllViews(World world, int width = 1280) {
     world.addSun(bench::kSun);
-    world.scene.film.width = 1280;
-    world.scene.film.height = 720;
+    world.scene.film.width = width;
+    world.scene.film.height = width * 9 / 16;
+    const auto least = std::uint64_t(0.15 * width * world.scene.film.height);
     for (const bench::StandardView& view : bench::standardViews()) {
         SCOPED_TRACE(view.name);
         world.scene.camera = bench::cameraOf(view, world.unit());
         verify::Report report = picture(world).report;
-        EXPECT_GT(report.hits, 150000u);
-        EXPECT_GT(report.shadow_rays, 150000u);
+        EXPECT_GT(report.hits, least);
+        EXPECT_GT(report.shadow_rays, least);
         expectContract(report);
         std::printf("%s: %llu tangent, distance 99.9 %% %.2g, greatest %.2g\n", view.name,
                     static_cast<unsigned long long>(report.tangent), report.distanceQuantile(0.999),
@@ -41,15 +42,56 @@ TEST_F(Acceptance, Checkerboard) {
     expectAllViews(sphereWorld(test::checkerboardMap(kWidth, kHeight), 25.0));
 }
 
-TEST_F(Acceptance, Geoid) {
-    const char* path = "/usr/share/proj/egm96_15.gtx";
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << "the package proj-data is not installed";
+constexpr const char* kGeoidPath = "/usr/share/proj/egm96_15.gtx";
+
+World geoidWorld(Filter filter = Filter::Bilinear) {
     DisplacedSphere sphere;
     sphere.max_displacement = 45.0;
     sphere.height_min = -107.0;
     sphere.height_max = 86.0;
     sphere.midlevel = 0.55;
-    expectAllViews(sphereWorld(readRawMap(path), sphere));
+    sphere.filter = filter;
+    return sphereWorld(readRawMap(kGeoidPath), sphere);
+}
+
+TEST_F(Acceptance, Geoid) {
+    if (!std::filesystem::exists(kGeoidPath)) GTEST_SKIP() << "the package proj-data is not installed";
+    expectAllViews(geoidWorld());
+}
+
+using CurvedViews = Conformance;
+
+constexpr int kCurvedWidth = 320;
+
+void expectSplineViews(RawMap map, double percent) {
+    DisplacedSphere sphere;
+    sphere.max_displacement = percent;
+    sphere.filter = Filter::BSpline;
+    expectAllViews(sphereWorld(std::move(map), sphere), kCurvedWidth);
+}
+
+TEST_F(CurvedViews, SplineOfTheGeoid) {
+    if (!std::filesystem::exists(kGeoidPath)) GTEST_SKIP() << "the package proj-data is not installed";
+    expectAllViews(geoidWorld(Filter::BSpline), kCurvedWidth);
+}
+TEST_F(CurvedViews, SplineOfSpikes) {
+    expectSplineViews(test::spikeMap(1024, 512), 60.0);
+}
+TEST_F(CurvedViews, SplineOfACheckerboard) {
+    expectSplineViews(test::checkerboardMap(1024, 512), 25.0);
+}
+
+TEST_F(CurvedViews, Ripples) {
+    for (double percent : {5.0, 25.0, 60.0}) {
+        SCOPED_TRACE(percent);
+        DisplacedSphere sphere;
+        sphere.max_displacement = percent;
+        sphere.ripples = Ripples{};
+        World world;
+        world.maps.maps.push_back(std::make_unique<Heightmap>(loadHeightmap(sphere)));
+        world.addSphere(sphere, 0);
+        expectAllViews(std::move(world), kCurvedWidth);
+    }
 }
 
 // From 1e6 R, through a field of view that shows the same, the answers are as exact as from 3 R.

@@ -22,6 +22,11 @@ struct Lattice {
     int pick(int n) { return int(random() % std::uint64_t(n)); }
     double longitude() { return nodeLongitude(map, pick(map.width)); }
     double latitude() { return nodeLatitude(map, pick(map.height)); }
+    /// Of a row that is an edge: gridline registration's first and last are the poles, which are points.
+    double parallel() {
+        int poles = map.registration == Registration::Gridline ? 1 : 0;
+        return nodeLatitude(map, poles + pick(map.height - 2 * poles));
+    }
     double anyLongitude() { return uniform(random, -kPi, kPi); }
     double anyLatitude() { return std::asin(uniform(random, -1.0, 1.0)); }
     /// The surface's point there, in units of R.
@@ -93,6 +98,19 @@ TEST_P(Edges, ThroughPointsOfEdges) {
     expectAimedAtRidges(probe(world_, rays_));
 }
 
+// A pole is the tip of a cone, which a ray that is aimed at it may meet or pass.
+TEST_P(Edges, AslantThroughPoles) {
+    for (int k = 0; k < kRays; ++k) {
+        double longitude = lattice_.anyLongitude(), latitude = k % 2 ? 0.5 * kPi : -0.5 * kPi;
+        double slope = uniform(lattice_.random, 0.02, 1.0);
+        dvec3 p = lattice_.point(longitude, latitude);
+        rays_.push_back(aim(
+            p + 2.0 * (std::sin(slope) * direction(longitude, latitude) + std::cos(slope) * north(longitude, latitude)),
+            p));
+    }
+    expectAimedAtRidges(probe(world_, rays_));
+}
+
 // A hit on an edge may take the normal of any patch that meets there, but none other.
 TEST_P(Edges, NormalsAreThoseOfAPatchThatMeets) {
     for (int k = 0; k < kRays; ++k) {
@@ -127,7 +145,7 @@ TEST_P(Edges, AlongMeridianEdges) {
 // Towards east or west and down, through a point of a parallel's edge.
 TEST_P(Edges, AlongParallelEdges) {
     for (int k = 0; k < kRays; ++k) {
-        double longitude = lattice_.anyLongitude(), latitude = lattice_.latitude();
+        double longitude = lattice_.anyLongitude(), latitude = lattice_.parallel();
         double slope = uniform(lattice_.random, 0.02, 1.0), side = k % 2 ? 1.0 : -1.0;
         dvec3 p = lattice_.point(longitude, latitude);
         dvec3 back = std::sin(slope) * direction(longitude, latitude) + side * std::cos(slope) * east(longitude);
@@ -139,7 +157,7 @@ TEST_P(Edges, AlongParallelEdges) {
 // The ray's latitude has its extremum at the cone of a parallel, or a hair north or south of it, inside the shell.
 TEST_P(Edges, TangentToAParallel) {
     for (int k = 0; k < kRays; ++k) {
-        double longitude = lattice_.anyLongitude(), latitude = lattice_.latitude();
+        double longitude = lattice_.anyLongitude(), latitude = lattice_.parallel();
         double rise = uniform(lattice_.random, -0.6, 0.6), side = k % 2 ? 1.0 : -1.0;
         dvec3 touch = uniform(lattice_.random, 0.86, 1.0) * direction(longitude, latitude);
         if (k % 3) touch += logarithmic(lattice_.random, 1e-9, 1e-4) * north(longitude, latitude);

@@ -36,8 +36,8 @@ struct Painted {
         const PackedCentres centres = packImage(object, image, longitude_origin, inner);
         object.image_centres_y = 2;
         resources.image = &image;
-        resources.column_centres = centres.columns;
-        resources.row_centres = centres.rows;
+        resources.edges[2] = centres.columns;
+        resources.edges[3] = centres.rows;
         object.texture_scale = glm::vec4(glm::vec3(texture.scale), 1.0f);
         current_resources = &resources;
     }

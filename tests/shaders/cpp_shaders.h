@@ -2,12 +2,14 @@
 
 // The shaders' pure functions compiled as C++, once with real = float and once with real = double. A failure is then
 // told apart: reference against glsl64 (the algorithm), glsl64 against glsl32 (precision), glsl32 against the device.
+// A program that defines WITH_CURVED has the variants for splines and ripples, like the shaders.
 
 #include "shaders/layout.h"
 
 #include "surface/bounds.h"
 #include "surface/colourmap.h"
 #include "surface/nodes.h"
+#include "surface/spline.h"
 
 #include <glm/glm.hpp>
 
@@ -21,9 +23,11 @@ namespace dsphere::test {
 struct Resources {
     const NodeGrid* nodes = nullptr;
     const Bounds* bounds = nullptr;
-    std::vector<glm::vec4> longitude_edges, colatitude_edges;
+    std::vector<std::vector<SplineNodes::Node>> spline_nodes;  ///< rows from pole to pole, if there is a spline
     const ColourMap* image = nullptr;
-    std::vector<glm::vec4> column_centres, row_centres;  ///< of the image's texels; rows 2 and 3 of the edges
+    /// Sines and cosines: of the grid's longitude and colatitude edges, then of the centres of the image's texel
+    /// columns and rows, or of the ripples' phases at the edges.
+    std::vector<glm::vec4> edges[4];
 };
 
 extern thread_local const Resources* current_resources;

@@ -27,11 +27,14 @@ inline real boundAt(const MapData& map, int face, int side, int i, int j) {
     return real(current_resources->bounds->at(face, std::countr_zero(unsigned(map.bounds_side / side)), i, j));
 }
 inline vec4 edgesAt(int x, int y) {
-    const Resources& resources = *current_resources;
-    const std::vector<glm::vec4>* rows[] = {&resources.longitude_edges, &resources.colatitude_edges,
-                                            &resources.column_centres, &resources.row_centres};
-    return vec4((*rows[y])[std::size_t(x)]);
+    return vec4(current_resources->edges[y][std::size_t(x)]);
 }
+#ifdef WITH_CURVED
+inline vec4 nodeAt(const MapData&, int column, int row) {
+    const SplineNodes::Node& node = current_resources->spline_nodes[std::size_t(row)][std::size_t(column)];
+    return vec4(node[0], node[1], node[2], node[3]);
+}
+#endif
 inline vec3 imageTexel(const ObjectData&, int column, int row) {
     return vec3(current_resources->image->texel(column, row));
 }
@@ -42,11 +45,18 @@ inline real leadingBits(real x) {
 
 #include "shaders/numeric.glsl"
 #include "shaders/surface.glsl"
+#ifdef WITH_CURVED
+constexpr int kSurfaces = 1 << SURFACE_BILINEAR | 1 << SURFACE_SPLINE | 1 << SURFACE_RIPPLES;
+#include "shaders/curved.glsl"
+#endif
 #include "shaders/ray.glsl"
 #include "shaders/frame.glsl"
 #include "shaders/walk.glsl"
 #include "shaders/march.glsl"
 #include "shaders/filter.glsl"
+#ifdef WITH_CURVED
+#include "shaders/curvedstroll.glsl"
+#endif
 
 // All kinds of object, the exact marcher: what the device gets by specialisation.
 constexpr int kMarcher = MARCHER_EXACT;

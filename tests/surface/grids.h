@@ -18,14 +18,27 @@ struct Planet {
 
 /// The map stretched over [0, 1] by heightmax; maxdispl in percent of the radius 2.
 inline std::unique_ptr<Planet> makePlanet(RawMap raw, Registration registration, double max_displacement,
-                                          double longitude_origin = -180.0) {
+                                          double longitude_origin = -180.0, Filter filter = Filter::Bilinear) {
     auto planet = std::make_unique<Planet>();
     planet->shape.radius = 2.0;
     planet->shape.max_displacement = max_displacement;
     planet->shape.height_max = 65535.0;
     planet->shape.registration = registration;
+    planet->shape.filter = filter;
     planet->shape.longitude_origin = longitude_origin;
     planet->map = makeHeightmap(std::move(raw), planet->shape);
+    planet->relief = makeRelief(planet->shape, planet->map, {});
+    return planet;
+}
+
+/// Ripples on the radius 2.
+inline std::unique_ptr<Planet> makeRipples(const Ripples& ripples, double max_displacement, double longitude_origin) {
+    auto planet = std::make_unique<Planet>();
+    planet->shape.radius = 2.0;
+    planet->shape.max_displacement = max_displacement;
+    planet->shape.ripples = ripples;
+    planet->shape.longitude_origin = longitude_origin;
+    planet->map = loadHeightmap(planet->shape);
     planet->relief = makeRelief(planet->shape, planet->map, {});
     return planet;
 }
