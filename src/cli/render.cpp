@@ -182,7 +182,7 @@ int runRender(const RenderOptions& options) {
         }
     }
     checkValidation(device);
-    writePicture(path, image, makeMetadata(scene, device, renderer.stats().device_seconds), options.exposure);
+    writePicture(path, image, makeMetadata(scene, device, renderer.stats().device_seconds), {options.exposure});
     const Result result{path, device.info(), renderer, maps, secondsSince(start)};
     if (options.common.json) printJson(result);
     if (!options.common.quiet) printReport(result, options.common.verbose);
