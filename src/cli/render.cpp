@@ -1,12 +1,15 @@
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/resume.h"
 #include "cli/sceneoptions.h"
 #include "image/picture.h"
 #include "render/raster.h"
 #include "render/renderer.h"
+#include "surface/fingerprint.h"
 
 #include <nlohmann/json.hpp>
 
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -20,9 +23,11 @@ namespace {
 struct RenderOptions {
     CommonOptions common;
     SceneOptions scene;
-    std::string outfile, aov;
-    double exposure = 0.0;
+    std::string outfile, aov, resume;
+    Tone tone;
+    double clamp = 0.0;   ///< Integrator::clamp
     float detail = 0.0f;  ///< pixels; 0: exact
+    bool write_partial = false;
 };
 
 using Clock = std::chrono::steady_clock;
@@ -66,14 +71,30 @@ dmat4 ndcFromWorld(const Raster& raster) {
     return ndc * raster.camera_from_world;
 }
 
-Metadata makeMetadata(const Scene& scene, const gpu::Device& device, double seconds) {
-    return {{"software", std::string("dsphere ") + DSPHERE_VERSION},
-            {"scene", scene.name},
-            {"device", device.info().name},
-            {"samplesPerPixel", scene.sampler.pixel_samples},
-            {"renderTimeSeconds", float(seconds)},
-            {"worldToCamera", headerMatrix(scene.camera.camera_from_world)},
-            {"worldToNDC", headerMatrix(ndcFromWorld(makeRaster(scene.camera, scene.film)))}};
+Metadata makeMetadata(const Scene& scene, const Origin& origin, int samples, double seconds) {
+    Metadata metadata = {{"scene", scene.name},
+                         {"samplesPerPixel", samples},
+                         {"renderTimeSeconds", float(seconds)},
+                         {"worldToCamera", headerMatrix(scene.camera.camera_from_world)},
+                         {"worldToNDC", headerMatrix(ndcFromWorld(makeRaster(scene.camera, scene.film)))}};
+    origin.tell(metadata);
+    return metadata;
+}
+
+Origin originOf(const Scene& scene, const SceneMaps& maps, const MarchMethod& method, const gpu::DeviceInfo& device) {
+    Hash hash;
+    hash.word(fingerprint(scene, maps));
+    hash.word(std::uint64_t(method.marcher));
+    hash.word(std::bit_cast<std::uint32_t>(method.threshold));
+    hash.word(std::bit_cast<std::uint32_t>(method.detail));
+    const Film& film = scene.film;
+    return {.seed = scene.sampler.seed,
+            .fingerprint = fmt::format("{:016x}", hash.value()),
+            .device = device.name,
+            .driver = device.driver,
+            .software = std::string("dsphere ") + DSPHERE_VERSION,
+            .data = cropBox(film),
+            .display = {0, 0, film.width, film.height}};
 }
 
 // Wrong options must not cost a render first.
@@ -85,8 +106,13 @@ std::uint32_t checkOutput(const RenderOptions& options, const std::filesystem::p
                                                  path.string(), extension));
     if (extension == ".png" && aovs)
         throw Error(ExitCode::Usage, fmt::format("{}: a PNG cannot hold --aov outputs; write .exr", path.string()));
+    if (extension == ".exr" && options.tone.curve != ToneCurve::Linear)
+        throw Error(ExitCode::Usage, fmt::format("{}: an EXR holds light as it is; --tone is for .png", path.string()));
     if (samples < 0 || samples > 65536)
         throw Error(ExitCode::Usage, fmt::format("--spp: {} is outside 0 to 65536", samples));
+    if (!(options.clamp >= 0.0 && std::isfinite(options.clamp)))
+        throw Error(ExitCode::Usage, fmt::format("--clamp: {} is not a number of 0 or more", options.clamp));
+    if (samples == 0 && !options.resume.empty()) throw Error(ExitCode::Usage, "--resume needs --spp above 0");
     if (samples == 0 && !aovs) throw Error(ExitCode::Usage, "--spp 0 renders no colour, so it needs --aov");
     checkWritable(path);
     return aovs;
@@ -141,9 +167,51 @@ void printReport(const Result& result, bool verbose) {
     fmt::print(stderr, "retried  {} pixels in full precision\n", result.renderer.stats().retried_pixels);
 }
 
+/// What is rendered of a picture: all of it, or fewer samples than the scene asks for.
+struct Rendered {
+    Image planes;
+    SampleSums colour;
+
+    Image picture() && {
+        if (colour.samples == 0) return std::move(planes);
+        Image image = pictureOf(std::move(colour));
+        image.channels.insert(image.channels.end(), std::make_move_iterator(planes.channels.begin()),
+                              std::make_move_iterator(planes.channels.end()));
+        return image;
+    }
+};
+
+// An interruption ends it at once, by an Error, or after the sample in progress if a part is to be written.
+Rendered renderAll(Renderer& renderer, const Scene& scene, const RenderOptions& options, std::uint32_t aovs,
+                   SampleSums start) {
+    ProgressLine line(options.common.progress, options.common.quiet, "render");
+    const auto update = [&](double share) { return line.update(share); };
+    const auto updateOrThrow = [&](double share) {
+        if (line.update(share)) return true;
+        if (!options.write_partial) throw Error(ExitCode::Interrupted, "interrupted; nothing was written");
+        line.say("interrupted: completing the sample in progress; once more to stop at once");
+        return false;
+    };
+    Rendered result;
+    if (aovs) result.planes = renderer.renderPlanes(aovs, update);
+    if (scene.sampler.pixel_samples > 0)
+        result.colour = renderer.renderSums(std::move(start), scene.sampler.pixel_samples,
+                                            std::uint32_t(scene.sampler.seed), updateOrThrow);
+    return result;
+}
+
+[[noreturn]] void throwPartial(const std::filesystem::path& path, int samples, int wanted) {
+    const std::string how = path.extension() == ".exr"
+                                ? fmt::format("go on by the same command with --resume {}", path.string())
+                                : "a .png cannot be gone on with";
+    throw Error(ExitCode::Interrupted, fmt::format("interrupted; wrote {} with {} of {} samples a pixel; {}",
+                                                   path.string(), samples, wanted, how));
+}
+
 int runRender(const RenderOptions& options) {
     Clock::time_point start = Clock::now();
     Scene scene = loadScene(options.scene);
+    scene.integrator.clamp = options.clamp;
     std::filesystem::path path = options.outfile.empty() ? scene.film.filename : options.outfile;
     int samples = scene.sampler.pixel_samples;
     std::uint32_t aovs = checkOutput(options, path, samples);
@@ -169,20 +237,15 @@ int runRender(const RenderOptions& options) {
     Renderer renderer(device, packed, scene, method);
     if (compiling.valid()) renderer.adopt(compiling.get());
 
-    Image image;
-    {
-        ProgressLine line(options.common.progress, options.common.quiet, "render");
-        auto progress = [&](double share) { return line.update(share); };
-        if (aovs) image = renderer.renderPlanes(aovs, progress);
-        if (samples > 0) {
-            Image colour = renderer.renderColour(samples, std::uint32_t(scene.sampler.seed), progress);
-            colour.channels.insert(colour.channels.end(), std::make_move_iterator(image.channels.begin()),
-                                   std::make_move_iterator(image.channels.end()));
-            image = std::move(colour);
-        }
-    }
+    const Origin origin = originOf(scene, maps, method, device.info());
+    Earlier earlier;
+    if (!options.resume.empty()) earlier = readEarlier(options.resume, origin, samples);
+    Rendered rendered = renderAll(renderer, scene, options, aovs, std::move(earlier.sums));
     checkValidation(device);
-    writePicture(path, image, makeMetadata(scene, device, renderer.stats().device_seconds), options.exposure);
+    const int done = rendered.colour.samples;
+    const double seconds = earlier.device_seconds + renderer.stats().device_seconds;
+    writePicture(path, std::move(rendered).picture(), makeMetadata(scene, origin, done, seconds), options.tone);
+    if (done < samples) throwPartial(path, done, samples);
     const Result result{path, device.info(), renderer, maps, secondsSince(start)};
     if (options.common.json) printJson(result);
     if (!options.common.quiet) printReport(result, options.common.verbose);
@@ -204,7 +267,25 @@ void addRender(CLI::App& app, Action& action) {
                      "Further outputs into the .exr: all, or t,P,N,Ns,u,v,Albedo,id,lit,"
                      "steps,residual")
         ->type_name("LIST");
-    command->add_option("--exposure", options->exposure, "Stops to brighten a .png by");
+    command->add_option("--exposure", options->tone.exposure, "Stops to brighten a .png by");
+    addChoice<ToneCurve>(
+        *command, "--tone", options->tone.curve,
+        {{"linear", ToneCurve::Linear}, {"aces", ToneCurve::Aces}, {"reinhard", ToneCurve::Reinhard}},
+        "Curve of a .png's light, after --exposure: linear (the default) cuts at 1; aces: Narkowicz 2015; reinhard: x "
+        "/ (1 + x)",
+        "linear|aces|reinhard");
+    command
+        ->add_option("--clamp", options->clamp,
+                     "Scale down samples whose greatest channel is above X, to X: fewer bright specks, some light "
+                     "lost; 0 (the default): none")
+        ->type_name("X");
+    command->add_flag("--write-partial", options->write_partial,
+                      "When interrupted, complete the sample in progress and write the picture of those done");
+    command
+        ->add_option("--resume", options->resume,
+                     "An .exr that render wrote of the same scene and options with fewer samples: go on from it; the "
+                     "picture is that of an uninterrupted render, bit for bit")
+        ->type_name("FILE.exr");
     addDetail(*command, options->detail);
     addCommonOptions(*command, options->common);
     command->callback([options, &action] { action = [options] { return runRender(*options); }; });

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 
@@ -25,6 +27,14 @@ bool onTerminal() {
 
 }  // namespace
 
+std::string durationText(double seconds) {
+    if (seconds < 60.0) return fmt::format("{:.1f} s", seconds);
+    const auto whole = std::int64_t(std::min(seconds, 1e9));
+    const auto hours = whole / 3600, minutes = whole / 60 % 60;
+    if (hours == 0) return fmt::format("{}:{:02}", minutes, whole % 60);
+    return fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60);
+}
+
 ProgressLine::ProgressLine(ProgressMode mode, bool quiet, std::string label)
     : shown_(!quiet && (mode == ProgressMode::Always || (mode == ProgressMode::Auto && onTerminal()))),
       label_(std::move(label)),
@@ -32,17 +42,35 @@ ProgressLine::ProgressLine(ProgressMode mode, bool quiet, std::string label)
       last_(start_) {}
 
 ProgressLine::~ProgressLine() {
-    if (drawn_) fmt::print(stderr, "\n");
+    if (drawn_ && onTerminal()) fmt::print(stderr, "\n");
+}
+
+void ProgressLine::draw(double share, double seconds) {
+    constexpr int kBar = 24;
+    const std::string times = fmt::format("{:3.0f} %  {}, {} left", 100.0 * share, durationText(seconds),
+                                          durationText(share > 0.0 ? seconds * (1.0 - share) / share : 0.0));
+    if (onTerminal()) {
+        const int full = int(share * kBar);
+        fmt::print(stderr, "\r{}: [{:#>{}}{:.>{}}] {}  ", label_, "", full, "", kBar - full, times);
+    } else {
+        fmt::print(stderr, "{}: {}\n", label_, times);
+    }
+    std::fflush(stderr);
+}
+
+void ProgressLine::say(const std::string& line) {
+    if (shown_) fmt::print(stderr, "{}{}\n", drawn_ && onTerminal() ? "\n" : "", line);
+    drawn_ = false;
 }
 
 bool ProgressLine::update(double share) {
-    auto now = std::chrono::steady_clock::now();
-    bool due = now - last_ > std::chrono::milliseconds(100) || (drawn_ && share >= 1.0);
+    const auto now = std::chrono::steady_clock::now();
+    const auto since = now - last_;
+    bool due = since > std::chrono::milliseconds(100) || (drawn_ && share >= 1.0);
+    if (!onTerminal()) due = due && (int(10.0 * share) > tenths_ || since > std::chrono::seconds(10));
     if (shown_ && due) {
-        double seconds = std::chrono::duration<double>(now - start_).count();
-        double left = share > 0.0 ? seconds * (1.0 - share) / share : 0.0;
-        fmt::print(stderr, "\r{}: {:3.0f} %  {:.1f} s, {:.1f} s left  ", label_, 100.0 * share, seconds, left);
-        std::fflush(stderr);
+        draw(share, std::chrono::duration<double>(now - start_).count());
+        tenths_ = int(10.0 * share);
         last_ = now;
         drawn_ = true;
     }

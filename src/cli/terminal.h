@@ -7,7 +7,12 @@ namespace dsphere::cli {
 
 enum class ProgressMode { Auto, Always, Never };
 
-/// A progress line on standard error with the time that remains; shown on a terminal (Auto), always or never.
+/// "4.2 s", "3:07", "1:02:03".
+std::string durationText(double seconds);
+
+/// Progress on standard error: the share that is done, the time that it took and the time that remains. On a terminal a
+/// line with a bar that is drawn anew; elsewhere lines, one at every tenth and every ten seconds. Shown on a terminal
+/// (Auto), always or never.
 class ProgressLine {
   public:
     ProgressLine(ProgressMode mode, bool quiet, std::string label);
@@ -17,10 +22,15 @@ class ProgressLine {
 
     /// Shows the share that is done, 0 to 1. Returns false once Ctrl-C or SIGTERM has come: stop.
     bool update(double share);
+    /// A line of its own, if progress is shown.
+    void say(const std::string& line);
 
   private:
+    void draw(double share, double seconds);
+
     bool shown_;
     bool drawn_ = false;
+    int tenths_ = -1;  ///< of the last line that was not drawn over
     std::string label_;
     std::chrono::steady_clock::time_point start_, last_;
 };

@@ -175,6 +175,25 @@ void writeExr(const std::filesystem::path& path, const Image& image, const Metad
     file.commit();
 }
 
+Metadata readExrMetadata(const std::filesystem::path& path) {
+    try {
+        Imf::MultiPartInputFile file(path.c_str());
+        const Imf::Header& header = file.header(0);
+        Metadata metadata;
+        for (auto i = header.begin(); i != header.end(); ++i) {
+            if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&i.attribute()))
+                metadata[i.name()] = text->value();
+            if (const auto* integer = dynamic_cast<const Imf::IntAttribute*>(&i.attribute()))
+                metadata[i.name()] = integer->value();
+            if (const auto* number = dynamic_cast<const Imf::FloatAttribute*>(&i.attribute()))
+                metadata[i.name()] = number->value();
+        }
+        return metadata;
+    } catch (const std::exception& error) {
+        throwInvalid("{}: cannot be read as EXR: {}", path.string(), error.what());
+    }
+}
+
 Image readExr(const std::filesystem::path& path) {
     try {
         return readPixels(path, true, kAllChannels);

@@ -23,10 +23,10 @@ std::string extensionOf(const std::filesystem::path& path) {
 
 }  // namespace
 
-void writePicture(const std::filesystem::path& path, const Image& image, const Metadata& metadata, double exposure) {
+void writePicture(const std::filesystem::path& path, const Image& image, const Metadata& metadata, const Tone& tone) {
     const std::string extension = extensionOf(path);
     if (extension == ".exr") return writeExr(path, image, metadata);
-    if (extension == ".png") return writePng(path, image, exposure);
+    if (extension == ".png") return writePng(path, image, tone);
     throwUnknown(path);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/image.h"
+#include "image/tone.h"
 
 #include <array>
 #include <filesystem>
@@ -18,13 +19,16 @@ using Metadata = std::map<std::string, std::variant<std::string, int, float, std
 /// temporary is removed and Error (Failure) thrown.
 void writeExr(const std::filesystem::path& path, const Image& image, const Metadata& metadata);
 
-/// Writes channels R, G, B as an 8-bit sRGB PNG (linear -> sRGB curve after multiplying by 2^exposure, clamped, NaN
-/// black). Same atomicity and errors as writeExr.
-void writePng(const std::filesystem::path& path, const Image& image, double exposure = 0.0);
+/// Writes channels R, G, B as an 8-bit sRGB PNG (linear -> tone curve after multiplying by 2^exposure -> sRGB curve,
+/// clamped, NaN black). Same atomicity and errors as writeExr.
+void writePng(const std::filesystem::path& path, const Image& image, const Tone& tone = {});
 
 /// Chooses by the extension, .exr or .png; another one is an Error (Usage).
 void writePicture(const std::filesystem::path& path, const Image& image, const Metadata& metadata,
-                  double exposure = 0.0);
+                  const Tone& tone = {});
+
+/// The header's attributes of the types that Metadata holds, matrices left out. Errors as readExr.
+Metadata readExrMetadata(const std::filesystem::path& path);
 
 /// Reads back every channel of an EXR file (tests, comparisons), of the first part if there are several; HALF ones are
 /// widened to float. Throws Error (InvalidInput) when it cannot: no EXR, truncated, subsampled channels, absurd size.

@@ -27,18 +27,19 @@ void writeTo(void* file, void* data, int size) {
 
 }  // namespace
 
-void writePng(const std::filesystem::path& path, const Image& image, double exposure) {
+void writePng(const std::filesystem::path& path, const Image& image, const Tone& tone) {
     const int width = image.data.width(), height = image.data.height();
     if (3 * std::uint64_t(image.pixelCount()) > kMaxBytes)
         throwFailure("{}: {}x{} pixels are more than a PNG of this program holds; write an EXR", path.string(), width,
                      height);
     AtomicFile file(path);
     std::vector<std::uint8_t> bytes(3 * image.pixelCount());
-    const double gain = std::exp2(exposure);
+    const double gain = std::exp2(tone.exposure);
     const char* const names[] = {"R", "G", "B"};
     for (std::size_t c = 0; c < 3; ++c) {
         const std::vector<float>& plane = image.at(names[c]).floats();
-        for (std::size_t k = 0; k < plane.size(); ++k) bytes[3 * k + c] = toSrgb(gain * double(plane[k]));
+        for (std::size_t k = 0; k < plane.size(); ++k)
+            bytes[3 * k + c] = toSrgb(toneMapped(tone.curve, gain * double(plane[k])));
     }
     // stb packs in memory and calls writeTo once.
     if (!stbi_write_png_to_func(writeTo, &file, width, height, 3, bytes.data(), 3 * width))

@@ -25,6 +25,15 @@ Image DeviceFilm::read(const Box& data, const Box& display) const {
     return result;
 }
 
+void DeviceFilm::write(const Image& image) {
+    std::uint32_t layer = 0;
+    for (const PlaneInfo& info : planeInfos()) {
+        if (!(mask_ & planeBit(info.plane))) continue;
+        image_.upload(layer++, 0, 0, std::uint32_t(image.data.width()), std::uint32_t(image.data.height()),
+                      image.at(info.channel).floats().data());
+    }
+}
+
 void takeMean(Image& sums, int samples) {
     for (Channel& channel : sums.channels)
         for (float& value : channel.floats()) value /= float(samples);

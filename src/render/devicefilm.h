@@ -16,6 +16,8 @@ class DeviceFilm {
     const gpu::StorageImage& image() const { return image_; }
     std::uint32_t mask() const { return mask_; }
     void clear() { image_.clear(); }
+    /// Takes the first data.width() x data.height() pixels of the mask's float planes from channels of their names.
+    void write(const Image& image);
     /// The planes as channels: of the film's first data.width() x data.height() pixels, which become those of `data`.
     Image read(const Box& data, const Box& display) const;
 

@@ -24,6 +24,10 @@ std::vector<Span> shownSpans(const PackedScene& packed, const Box& crop) {
     return objectSpans(packed.objects, crop, std::max({0.5, double(paths.radius_x), double(paths.radius_y)}));
 }
 
+[[noreturn]] void throwInterrupted() {
+    throw Error(ExitCode::Interrupted, "interrupted; nothing was written");
+}
+
 }  // namespace
 
 Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Scene& scene, const MarchMethod& method)
@@ -47,7 +51,7 @@ void Renderer::runTiles(Pass& pass, TileRun& run, int sample, std::uint32_t seed
         const auto started = std::chrono::steady_clock::now();
         stats_.device_seconds += run.step(pass, sample, seed, kSubmitTarget);
         stats_.wall_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-        if (progress && !progress(run.share())) throw Error(ExitCode::Interrupted, "interrupted; nothing was written");
+        if (progress && !progress(run.share())) throwInterrupted();
     }
     stats_.camera_rays += crop_.width() * std::uint64_t(crop_.height());
     run.rewind();
@@ -77,20 +81,22 @@ PassPipelines& Renderer::pipelines(const MarchMethod& method, std::uint32_t mask
     return found->second;
 }
 
-Image Renderer::render(std::uint32_t mask, int samples, std::uint32_t seed, const Progress& progress) {
-    DeviceFilm film(device_, crop_.width(), crop_.height(), mask);
-    Pass pass(device_, pipelines(method_, mask), device_scene_, film.image());
+SampleSums Renderer::renderSums(SampleSums start, int to, std::uint32_t seed, const Progress& progress) {
+    const int first = start.samples, count = to - first;
+    assert(first >= 0 && count >= 1);
+    DeviceFilm film(device_, crop_.width(), crop_.height(), kColourPlanes);
+    if (first > 0) film.write(start.sums);
+    start.sums = {};
+    Pass pass(device_, pipelines(method_, kColourPlanes), device_scene_, film.image());
     TileRun run(makeTiles(spans_, 0, crop_.width()), crop_.x0, crop_.y0);
-    // No samples: the pixels' centres, which are sample -1.
-    int first = samples == 0 ? -1 : 0, count = std::max(samples, 1);
-    for (int k = 0; k < count; ++k) {
-        auto part = [&](double share) { return !progress || progress((k + share) / count); };
-        runTiles(pass, run, first + k, seed, part);
-    }
+    int done = 0;
+    for (bool going = true; going && done < count; ++done)
+        runTiles(pass, run, first + done, seed, [&](double share) {
+            going = going && (!progress || progress((done + share) / count));
+            return true;
+        });
     stats_.retried_pixels += pass.retried();
-    Image image = film.read(crop_, display_);
-    fillMisses(image, run.tiles());
-    return image;
+    return {first + done, film.read(crop_, display_)};
 }
 
 // Pixels that no dispatch reached are zero; a miss has an infinite t.
@@ -108,14 +114,24 @@ void Renderer::fillMisses(Image& image, const std::vector<Box>& tiles) const {
 }
 
 Image Renderer::renderColour(int samples, std::uint32_t seed, const Progress& progress) {
-    assert(samples >= 1);
-    Image image = render(kColourPlanes, samples, seed, progress);
-    takeMean(image, samples);
-    return image;
+    const auto go = [&](double share) {
+        if (progress && !progress(share)) throwInterrupted();
+        return true;
+    };
+    SampleSums sums = renderSums({}, samples, seed, go);
+    takeMean(sums.sums, samples);
+    return std::move(sums.sums);
 }
 
 Image Renderer::renderPlanes(std::uint32_t mask, const Progress& progress) {
-    return render(mask, 0, 0, progress);
+    DeviceFilm film(device_, crop_.width(), crop_.height(), mask);
+    Pass pass(device_, pipelines(method_, mask), device_scene_, film.image());
+    TileRun run(makeTiles(spans_, 0, crop_.width()), crop_.x0, crop_.y0);
+    runTiles(pass, run, -1, 0, progress);  // the pixels' centres
+    stats_.retried_pixels += pass.retried();
+    Image image = film.read(crop_, display_);
+    fillMisses(image, run.tiles());
+    return image;
 }
 
 }  // namespace dsphere

@@ -4,6 +4,7 @@
 #include "render/devicescene.h"
 #include "render/pass.h"
 #include "render/planes.h"
+#include "render/samplesums.h"
 #include "render/spans.h"
 #include "render/tiles.h"
 
@@ -38,6 +39,10 @@ class Renderer {
 
     /// R, G, B: the mean of `samples` jittered samples a pixel (1 to 65536). Error (Interrupted) when stopped.
     Image renderColour(int samples, std::uint32_t seed, const Progress& progress);
+    /// The sums of samples 0 to `to` - 1, of which `start` has some (fewer) already, from this renderer's crop. When
+    /// stopped the sample in progress is completed, and the sums are of fewer than `to`. The same sums whatever
+    /// `start`.
+    SampleSums renderSums(SampleSums start, int to, std::uint32_t seed, const Progress& progress);
     /// The planes of `mask` for the ray through each pixel's centre; kColourPlanes among them are that ray's colour.
     Image renderPlanes(std::uint32_t mask, const Progress& progress);
 
@@ -53,7 +58,6 @@ class Renderer {
     std::uint64_t imageBytes() const { return device_scene_.imageBytes(); }
 
   private:
-    Image render(std::uint32_t mask, int samples, std::uint32_t seed, const Progress& progress);
     void runTiles(Pass& pass, TileRun& run, int sample, std::uint32_t seed, const Progress& progress);
     void fillMisses(Image& image, const std::vector<Box>& tiles) const;
 

@@ -52,7 +52,7 @@ void App::takeScreenshot() {
         std::filesystem::path path = freeName(".png");
         LiveFilm& film = stage_->film();
         if (view_.show == Show::Colour) {
-            writePng(path, film.read(), double(tone_.exposure));
+            writePng(path, film.read(), {.exposure = double(tone_.exposure)});
         } else {
             publish();
             std::vector<std::uint32_t> codes(std::size_t(film.width()) * std::size_t(film.height()));

@@ -136,10 +136,24 @@ TEST(Png, IsSrgb) {
 
 TEST(Png, ExposureIsInStops) {
     const TempFolder folder;
-    writePng(folder.path() / "a.png", greyRow({0.25f, 1.0f, 0.0f}), 1.0);
+    writePng(folder.path() / "a.png", greyRow({0.25f, 1.0f, 0.0f}), {1.0});
     EXPECT_EQ(readRawMap(folder.path() / "a.png").samples, (std::vector<float>{188, 255, 0}));
-    writePng(folder.path() / "a.png", greyRow({0.25f, 1.0f, 0.0f}), -1.0);
+    writePng(folder.path() / "a.png", greyRow({0.25f, 1.0f, 0.0f}), {-1.0});
     EXPECT_EQ(readRawMap(folder.path() / "a.png").samples, (std::vector<float>{99, 188, 0}));
+}
+
+TEST(Png, ToneCurvesGoBeforeSrgb) {
+    const TempFolder folder;
+    const float nan = std::nanf(""), most = std::numeric_limits<float>::max();
+    const Image image = greyRow({0.0f, 0.18f, 1.0f, 8.0f, -1.0f, nan, kInfinity, most});
+    const auto codes = [&](const Tone& tone) {
+        writePng(folder.path() / "a.png", image, tone);
+        return readRawMap(folder.path() / "a.png").samples;
+    };
+    // sRGB of 0.1525, 1/2 and 8/9; of 0.2670, 0.8038 and 1.0036, cut.
+    EXPECT_EQ(codes({0.0, ToneCurve::Reinhard}), (std::vector<float>{0, 109, 188, 242, 0, 0, 255, 255}));
+    EXPECT_EQ(codes({0.0, ToneCurve::Aces}), (std::vector<float>{0, 141, 232, 255, 0, 0, 255, 255}));
+    EXPECT_EQ(codes({3.0, ToneCurve::Reinhard})[2], 242.0f) << "exposure comes first";
 }
 
 TEST(Png, KeepsColoursAndRowsApart) {
@@ -159,7 +173,7 @@ TEST(Picture, ExtensionChooses) {
     const Image image = greyRow({0.5f});
     writePicture(folder.path() / "a.EXR", image, {});
     EXPECT_EQ(readExr(folder.path() / "a.EXR").at("R").floats(), (std::vector<float>{0.5f}));
-    writePicture(folder.path() / "a.png", image, {}, -100.0);
+    writePicture(folder.path() / "a.png", image, {}, {-100.0});
     EXPECT_EQ(readRawMap(folder.path() / "a.png").samples, (std::vector<float>{0}));
     for (const char* name : {"a.jpg", "a", "exr"})
         EXPECT_TRUE(holds(messageOf(ExitCode::Usage, [&] { writePicture(folder.path() / name, image, {}); }), name));

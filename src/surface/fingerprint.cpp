@@ -1,0 +1,148 @@
+#include "surface/fingerprint.h"
+
+namespace dsphere {
+
+void Hash::bytes(const void* data, std::size_t count) {
+    const auto* from = static_cast<const char*>(data);
+    word(count);
+    for (; count >= 8; from += 8, count -= 8) {
+        std::uint64_t next;
+        std::memcpy(&next, from, 8);
+        word(next);
+    }
+    std::uint64_t rest = 0;
+    std::memcpy(&rest, from, count);
+    if (count > 0) word(rest);
+}
+
+namespace {
+
+// One function for each type of the model. The bindings name every member, so that one that is added to the model does
+// not compile here until it is told of.
+struct Walk {
+    Hash hash;
+
+    void add(double x) { hash.word(std::bit_cast<std::uint64_t>(x)); }
+    template <typename T>
+    requires std::integral<T> || std::is_enum_v<T>
+    void add(T x) { hash.word(std::uint64_t(x)); }
+    void add(const std::string& text) { hash.bytes(text.data(), text.size()); }
+    template <glm::length_t N>
+    void add(const glm::vec<N, double>& v) {
+        for (glm::length_t i = 0; i < N; ++i) add(v[i]);
+    }
+    template <glm::length_t N>
+    void add(const glm::mat<N, N, double>& m) {
+        for (glm::length_t i = 0; i < N; ++i) add(m[i]);
+    }
+    template <typename T>
+    void add(const std::optional<T>& maybe) {
+        add(maybe.has_value());
+        if (maybe) add(*maybe);
+    }
+    template <typename T>
+    void add(const std::vector<T>& list) {
+        add(list.size());
+        for (const T& item : list) add(item);
+    }
+    template <typename T, std::size_t N>
+    void add(const std::array<T, N>& list) {
+        for (const T& item : list) add(item);
+    }
+    template <typename... T>
+    void add(const std::variant<T...>& one) {
+        add(one.index());
+        std::visit([this](const auto& value) { add(value); }, one);
+    }
+    template <typename... T>
+    void all(const T&... values) {
+        (add(values), ...);
+    }
+
+    void add(const Camera& camera) {
+        const auto& [projection, from_world, fov, window, aspect] = camera;
+        all(projection, from_world, fov, window, aspect);
+    }
+    void add(const Film& film) {
+        const auto& [filename, width, height, crop] = film;
+        all(width, height, crop);
+    }
+    void add(const Integrator& integrator) {
+        const auto& [kind, depth, clamp] = integrator;
+        all(kind, depth, clamp);
+    }
+    void add(const PixelFilter& filter) {
+        const auto& [kind, radius, falloff] = filter;
+        all(kind, radius, falloff);
+    }
+    void add(const Ripples& ripples) { all(ripples.u_frequency, ripples.v_frequency); }
+    void add(const DisplacedSphere& sphere) {
+        const auto& [radius, displacement, path, midlevel, scale, least, greatest, own, registration, longitude, blur,
+                     nodata, filter, ripples, smooth] = sphere;
+        all(radius, displacement, midlevel, scale, least, greatest, own, registration, longitude, blur, nodata, filter,
+            ripples, smooth);
+    }
+    void add(const Sphere& sphere) { add(sphere.radius); }
+    void add(const Disk& disk) {
+        const auto& [height, radius, inner] = disk;
+        all(height, radius, inner);
+    }
+    void add(const TriangleMesh& mesh) {
+        const auto& [points, triangles, uvs] = mesh;
+        all(points, triangles, uvs);
+    }
+    void add(const ConstantColour& constant) { add(constant.rgb); }
+    void add(const HeightRamp& ramp) { all(ramp.ramp, ramp.scale); }
+    void add(const ImageMap& image) { add(image.scale); }
+    void add(const Checkerboard& board) {
+        const auto& [even, odd, u, v] = board;
+        all(even, odd, u, v);
+    }
+    void add(const Matte& matte) { all(matte.reflectance, matte.sigma); }
+    void add(const Conductor& metal) {
+        const auto& [eta, k, alpha] = metal;
+        all(eta, k, alpha);
+    }
+    void add(const Mirror& mirror) { add(mirror.reflectance); }
+    void add(const Plastic& plastic) {
+        const auto& [diffuse, specular, alpha] = plastic;
+        all(diffuse, specular, alpha);
+    }
+    void add(const Shape& shape) {
+        const auto& [geometry, from_object, material, where] = shape;
+        all(geometry, from_object, material);
+    }
+    void add(const DistantLight& light) { all(light.direction, light.radiance); }
+    void add(const PointLight& light) { all(light.position, light.intensity); }
+    void add(const InfiniteLight& light) {
+        const auto& [radiance, path, from_light, where] = light;
+        all(radiance, from_light);
+    }
+    void add(const AreaLight& light) {
+        const auto& [shape, radiance, two_sided] = light;
+        all(shape, radiance, two_sided);
+    }
+    void add(const Heightmap& map) {
+        all(map.width, map.height, map.registration, map.longitude_origin, map.full_scale);
+        hash.bytes(map.samples.data(), map.samples.size() * sizeof(float));
+    }
+    void add(const ColourMap& image) {
+        all(image.width(), image.height());
+        hash.bytes(image.raw().srgb.data(), image.raw().srgb.size());
+        hash.bytes(image.raw().linear.data(), image.raw().linear.size() * sizeof(float));
+    }
+};
+
+}  // namespace
+
+std::uint64_t fingerprint(const Scene& scene, const SceneMaps& maps) {
+    Walk walk;
+    const auto& [name, camera, film, sampler, integrator, pixel_filter, shapes, lights] = scene;
+    walk.all(camera, film, integrator, pixel_filter, shapes, lights);
+    for (const auto& map : maps.maps) walk.add(*map);
+    for (const auto& image : maps.images) walk.add(*image);
+    walk.all(maps.map_of_shape, maps.image_of_shape, maps.light_image);
+    return walk.hash.value();
+}
+
+}  // namespace dsphere
