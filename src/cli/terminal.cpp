@@ -66,8 +66,10 @@ void ProgressLine::say(const std::string& line) {
 bool ProgressLine::update(double share) {
     const auto now = std::chrono::steady_clock::now();
     const auto since = now - last_;
+    if (share < share_) start_ = now;
+    share_ = share;
     bool due = since > std::chrono::milliseconds(100) || (drawn_ && share >= 1.0);
-    if (!onTerminal()) due = due && (int(10.0 * share) > tenths_ || since > std::chrono::seconds(10));
+    if (!onTerminal()) due = due && (int(10.0 * share) != tenths_ || since > std::chrono::seconds(10));
     if (shown_ && due) {
         draw(share, std::chrono::duration<double>(now - start_).count());
         tenths_ = int(10.0 * share);

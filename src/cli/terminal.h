@@ -20,7 +20,8 @@ class ProgressLine {
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 
-    /// Shows the share that is done, 0 to 1. Returns false once Ctrl-C or SIGTERM has come: stop.
+    /// Shows the share that is done, 0 to 1; one that is smaller than the last is of another piece of work, which is
+    /// timed anew. Returns false once Ctrl-C or SIGTERM has come: stop.
     bool update(double share);
     /// A line of its own, if progress is shown.
     void say(const std::string& line);
@@ -30,6 +31,7 @@ class ProgressLine {
 
     bool shown_;
     bool drawn_ = false;
+    double share_ = 0.0;
     int tenths_ = -1;  ///< of the last line that was not drawn over
     std::string label_;
     std::chrono::steady_clock::time_point start_, last_;

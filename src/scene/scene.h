@@ -232,7 +232,7 @@ struct InfiniteLight {
     std::string map_path;         ///< resolved; empty: constant
     dmat3 world_from_light{1.0};  ///< a rotation, perhaps mirrored. The image's top is +z; from +x at its left edge it
                                   ///< runs towards +y
-    SourceLocation where;  ///< of the image's name
+    SourceLocation where;         ///< of the image's name
 
     bool operator==(const InfiniteLight& other) const {
         return radiance == other.radiance && map_path == other.map_path && world_from_light == other.world_from_light;

@@ -2,6 +2,8 @@
 
 #include "tests/cli/fixture.h"
 
+#include <algorithm>
+
 namespace dsphere::test {
 namespace {
 
@@ -36,6 +38,17 @@ TEST_F(TerminalTest, ProgressAsAskedFor) {
     EXPECT_TRUE(shown(render(false, {"--progress", "always"})));
     EXPECT_FALSE(shown(render(true, {"--progress", "never"})));
     EXPECT_FALSE(shown(render(true, {"--quiet"})));
+}
+
+TEST_F(TerminalTest, BarsAreForTerminals) {
+    EXPECT_TRUE(holds(render(true, {}).err, "\rrender: [############"));
+    Outcome outcome = render(false, {"--progress", "always"});
+    EXPECT_EQ(outcome.err.find('\r'), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find('#'), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.rfind("render: ", 0), 0u) << "lines, the first of progress: " << outcome.err;
+    EXPECT_TRUE(holds(outcome.err, "render: 100 %  "));
+    const auto lines = std::count(outcome.err.begin(), outcome.err.end(), '%');
+    EXPECT_LE(lines, 12) << "one at every tenth: " << outcome.err;
 }
 
 TEST_F(TerminalTest, ColourIsForTerminals) {
