@@ -46,26 +46,30 @@ double hidden(double cosine, double alpha) {
     return 0.5 * (std::sqrt(1.0 + alpha * alpha * tan2) - 1.0);
 }
 
-// One minus the mean of G2 / G1 over the visible facets (Heitz 2018), midpoints of a grid of their sample numbers.
+// One minus the mean of G2 / G1 over the visible facets (Heitz 2018), by midpoints of their sample numbers. Smooth facets
+// lose light at the rim of the disk that they are drawn from alone, so the radii crowd there.
 double lossAt(double cosine, double alpha) {
-    constexpr int kSide = 96;
+    constexpr int kRadii = 1024, kAngles = 48;
     const double c = std::max(cosine, 1e-5);
     const dvec3 view(std::sqrt(1.0 - c * c), 0.0, c);
     const dvec3 stretched = glm::normalize(dvec3(alpha * view.x, 0.0, view.z));
     const dvec3 x = dvec3(0.0, 1.0, 0.0), y = glm::cross(stretched, x);
     const double own = hidden(c, alpha), s = 0.5 * (1.0 + stretched.z);
     double sum = 0.0;
-    for (int i = 0; i < kSide; ++i)
-        for (int j = 0; j < kSide; ++j) {
-            const double radius = std::sqrt((i + 0.5) / kSide), angle = 2.0 * kPi * (j + 0.5) / kSide;
-            const double a = radius * std::cos(angle);
+    for (int i = 0; i < kRadii; ++i) {
+        const double from_rim = 1.0 - (i + 0.5) / kRadii;
+        const double radius = std::sqrt(1.0 - from_rim * from_rim * from_rim), weight = 3.0 * from_rim * from_rim;
+        for (int j = 0; j < kAngles; ++j) {
+            const double angle = 2.0 * kPi * (j + 0.5) / kAngles, a = radius * std::cos(angle);
             const double b = (1.0 - s) * std::sqrt(1.0 - a * a) + s * radius * std::sin(angle);
             const dvec3 facet = a * x + b * y + std::sqrt(std::max(0.0, 1.0 - a * a - b * b)) * stretched;
             const dvec3 h = glm::normalize(dvec3(alpha * facet.x, alpha * facet.y, std::max(facet.z, 0.0)));
             const double light = 2.0 * glm::dot(view, h) * h.z - view.z;
-            sum += light > 0.0 ? 1.0 - (1.0 + own) / (1.0 + own + hidden(std::min(light, 1.0), alpha)) : 1.0;
+            const double in_light = light > 0.0 ? hidden(std::min(light, 1.0), alpha) : 0.0;
+            sum += weight * (light > 0.0 ? in_light / (1.0 + own + in_light) : 1.0);
         }
-    return sum / (kSide * kSide);
+    }
+    return sum / (kRadii * kAngles);
 }
 
 // Over all directions.

@@ -14,9 +14,17 @@
             V(albedo) F(anchor_x) F(anchor_y) F(base) F(base_lo) F(scale) F(ramp_offset) F(ramp_scale)                \
                 F(shell_squared) F(inner_squared) F(offset) I(kind) I(ramp) V(image_north) V(image_south) I(image)    \
                     I(image_width) I(image_height) I(image_y) I(image_layer) I(image_centres_y) F(image_shift)        \
-                        F(image_scale) F(pixel_size) F(pixel_growth) F(pad0) F(pad1)
+                        F(pixel_size) F(pixel_growth) I(first_triangle) I(triangle_count) F(pad0) V(texture_scale)
 
-#define LIGHT_FIELDS(V) V(position) V(radiance)
+#define LIGHT_FIELDS(V, F, I)                                                                                         \
+    V(position) V(radiance) V(x_axis) V(y_axis) V(z_axis) I(kind) I(object) F(share) F(shares) F(inner_squared)       \
+        F(measure) I(two_sided) I(width) I(height) I(image_y) I(image_layer) I(image) I(table) I(pad0) I(pad1) I(pad2)
+
+#define MATERIAL_FIELDS(V, F, I)                                                                                      \
+    V(odd) V(specular) V(eta) V(k) V(bounced) I(kind) I(checkerboard) F(u_scale) F(v_scale) F(alpha) F(rough_a)       \
+        F(rough_b) I(table) I(pad0) I(pad1) I(pad2) I(pad3)
+
+#define TRIANGLE_FIELDS(V) V(a) V(b) V(c) V(v)
 
 #define MAP_FIELDS(F, I)                                                                                               \
     I(width)                                                                                                           \

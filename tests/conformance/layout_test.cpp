@@ -51,7 +51,9 @@ struct Listed {
 TEST_F(Layout, ListsHoldEveryField) {
     EXPECT_LISTED(ObjectData, OBJECT_FIELDS(V, F, I));
     EXPECT_LISTED(MapData, MAP_FIELDS(F, I));
-    EXPECT_LISTED(LightData, LIGHT_FIELDS(V));
+    EXPECT_LISTED(LightData, LIGHT_FIELDS(V, F, I));
+    EXPECT_LISTED(MaterialData, MATERIAL_FIELDS(V, F, I));
+    EXPECT_LISTED(TriangleData, TRIANGLE_FIELDS(V));
     EXPECT_LISTED(ProbeRay, PROBE_RAY_FIELDS(V, U));
     EXPECT_LISTED(ProbeHit, PROBE_HIT_FIELDS(V, U));
     EXPECT_LISTED(RenderParams, PARAMS_FIELDS(I, U));
@@ -94,12 +96,16 @@ TEST_F(Layout, WordsComeBackInOrder) {
     layout::ObjectData objects[2];
     layout::MapData maps[2];
     layout::LightData lights[2];
+    layout::MaterialData materials[2];
+    layout::TriangleData triangles[2];
     layout::ProbeRay rays[2];
     layout::ProbeHit hits[2];
     for (std::size_t k = 0; k < 2; ++k) {
         objects[k] = pattern.next<layout::ObjectData>();
         maps[k] = pattern.next<layout::MapData>();
         lights[k] = pattern.next<layout::LightData>();
+        materials[k] = pattern.next<layout::MaterialData>();
+        triangles[k] = pattern.next<layout::TriangleData>();
         rays[k] = pattern.next<layout::ProbeRay>();
         hits[k] = pattern.next<layout::ProbeHit>();
     }
@@ -107,16 +113,20 @@ TEST_F(Layout, WordsComeBackInOrder) {
     const std::vector<std::uint32_t>& expected = pattern.expected();
 
     constexpr Binding::Kind kBindings[] = {Binding::UniformBuffer, Binding::UniformBuffer, Binding::UniformBuffer,
-                                           Binding::StorageBuffer, Binding::StorageBuffer, Binding::StorageBuffer};
+                                           Binding::UniformBuffer, Binding::UniformBuffer, Binding::StorageBuffer, Binding::StorageBuffer};
     gpu::ComputePipeline pipeline(device(), kSpirv_layout, kBindings, {}, sizeof(params), "layout");
     Buffer object_buffer = filled(Buffer::Usage::Uniform, objects, "objects");
     Buffer map_buffer = filled(Buffer::Usage::Uniform, maps, "maps");
     Buffer light_buffer = filled(Buffer::Usage::Uniform, lights, "lights");
+    Buffer material_buffer = filled(Buffer::Usage::Uniform, materials, "materials");
+    Buffer triangle_buffer = filled(Buffer::Usage::Uniform, triangles, "triangles");
     Buffer ray_buffer = filled(Buffer::Usage::Storage, rays, "rays"),
            hit_buffer = filled(Buffer::Usage::Storage, hits, "hits");
     Buffer words(device(), Buffer::Usage::Storage, Buffer::Place::Device, expected.size() * 4, "words");
     gpu::BindingSet set(device(), pipeline,
-                        {&object_buffer, &map_buffer, &light_buffer, &ray_buffer, &hit_buffer, &words}, "layout");
+                        {&object_buffer, &map_buffer, &light_buffer, &material_buffer, &triangle_buffer, &ray_buffer,
+                         &hit_buffer, &words},
+                        "layout");
     gpu::Batch batch(device(), "layout");
     batch.bind(pipeline, set);
     batch.push(params);

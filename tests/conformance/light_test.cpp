@@ -42,11 +42,13 @@ World objects(const Material& material) {
 
 void addEmitter(World& world, const Geometry& geometry, const dmat4& placed, const dvec3& radiance, bool two_sided) {
     world.addPlain(geometry, placed);
-    world.scene.lights.push_back(AreaLight{int(world.scene.shapes.size()) - 1, radiance, two_sided});
+    world.scene.lights.emplace_back(AreaLight{int(world.scene.shapes.size()) - 1, radiance, two_sided});
 }
 
 void addSky(World& world) {
-    world.scene.lights.push_back(InfiniteLight{.radiance = dvec3(0.4, 0.5, 0.7)});
+    InfiniteLight sky;
+    sky.radiance = dvec3(0.4, 0.5, 0.7);
+    world.scene.lights.emplace_back(sky);
 }
 
 /// Bright and dark by places, one texel of it a sun.
@@ -63,7 +65,7 @@ void addSkyImage(World& world) {
     InfiniteLight sky;
     sky.map_path = "sky";
     sky.world_from_light = dmat3(glm::rotate(dmat4(1.0), -kPi / 2 + 0.2, dvec3(1.0, 0.2, 0.0)));
-    world.scene.lights.push_back(sky);
+    world.scene.lights.emplace_back(sky);
 }
 
 struct LightCase {
@@ -175,7 +177,7 @@ TEST_F(Lighting, WhiteFurnace) {
         world.addPlain(Sphere{1.0}, dmat4(1.0));
         world.scene.shapes[0].material = material.material;
         world.lookAt({0.0, 0.0, 3.0}, dvec3(0.0), dvec3(0.0, 1.0, 0.0), 36.0);
-        world.scene.lights.push_back(InfiniteLight{});
+        world.scene.lights.emplace_back(InfiniteLight{});
         World scene = small(std::move(world), Integrator::Kind::Path, 3);
         const PackedScene packed = packScene(scene.scene, scene.maps);
         Renderer renderer(device(), packed, scene.scene, MarchMethod());

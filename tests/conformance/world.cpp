@@ -48,11 +48,11 @@ void World::addPlain(const Geometry& geometry, const dmat4& world_from_object) {
 }
 
 void World::addSun(const dvec3& towards) {
-    scene.lights.push_back(DistantLight{glm::normalize(towards), dvec3(3.0, 2.8, 2.5)});
+    scene.lights.emplace_back(DistantLight{glm::normalize(towards), dvec3(3.0, 2.8, 2.5)});
 }
 
 void World::addLamp(const dvec3& position, double intensity) {
-    scene.lights.push_back(PointLight{position, dvec3(intensity)});
+    scene.lights.emplace_back(PointLight{position, dvec3(intensity)});
 }
 
 void World::lookAt(const dvec3& eye, const dvec3& target, const dvec3& up, double fov) {
