@@ -3,6 +3,7 @@
 #include <cassert>
 #include <chrono>
 
+#include "gpu/buffer.h"
 #include "gpu/device.h"
 #include "gpu/pipeline.h"
 #include "gpu/result.h"
@@ -107,6 +108,28 @@ void Batch::dispatch(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
 void Batch::barrier() {
     commands_.barrier(VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT,
                       VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT);
+}
+
+void Batch::clear(const Buffer& buffer, std::uint64_t bytes) {
+    assert(bytes % 4 == 0 && bytes <= buffer.size());
+    constexpr VkPipelineStageFlags transfer = VK_PIPELINE_STAGE_TRANSFER_BIT;
+    constexpr VkPipelineStageFlags compute = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
+    commands_.barrier(compute | transfer, VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT, transfer,
+                      VK_ACCESS_TRANSFER_WRITE_BIT);
+    device_->vk().vkCmdFillBuffer(commands_.handle(), buffer.handle(), 0, bytes, 0);
+    commands_.barrier(transfer, VK_ACCESS_TRANSFER_WRITE_BIT, compute | transfer,
+                      VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_READ_BIT);
+}
+
+void Batch::copy(const Buffer& from, const Buffer& to, std::uint64_t bytes) {
+    assert(bytes <= from.size() && bytes <= to.size());
+    constexpr VkPipelineStageFlags transfer = VK_PIPELINE_STAGE_TRANSFER_BIT;
+    commands_.barrier(VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | transfer,
+                      VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT, transfer,
+                      VK_ACCESS_TRANSFER_READ_BIT | VK_ACCESS_TRANSFER_WRITE_BIT);
+    const VkBufferCopy region = {0, 0, bytes};
+    device_->vk().vkCmdCopyBuffer(commands_.handle(), from.handle(), to.handle(), 1, &region);
+    commands_.barrier(transfer, VK_ACCESS_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT);
 }
 
 double Batch::submit() {

@@ -9,6 +9,7 @@
 namespace dsphere::gpu {
 
 class BindingSet;
+class Buffer;
 class ComputePipeline;
 class Device;
 
@@ -56,6 +57,11 @@ class Batch {
     void dispatch(std::uint32_t x, std::uint32_t y, std::uint32_t z);
     /// All writes of the dispatches before are seen by all reads and writes of those after.
     void barrier();
+
+    /// The buffer's first bytes, a multiple of 4, become 0: after all before, before all that follows.
+    void clear(const Buffer& buffer, std::uint64_t bytes);
+    /// Copies the first bytes of `from`, as the dispatches before leave them, to `to`: for the host after submit().
+    void copy(const Buffer& from, const Buffer& to, std::uint64_t bytes);
 
     /// Runs what was recorded, waits, and returns the seconds it took on the device (from submit to fence on the host's
     /// clock if the device has no timestamps). Results are then visible to the host and to later batches and transfers.

@@ -28,6 +28,10 @@ std::string resultName(VkResult result) {
         RESULT_NAME(VK_ERROR_UNKNOWN);
         RESULT_NAME(VK_ERROR_OUT_OF_POOL_MEMORY);
         RESULT_NAME(VK_ERROR_INVALID_SHADER_NV);
+        RESULT_NAME(VK_ERROR_SURFACE_LOST_KHR);
+        RESULT_NAME(VK_ERROR_NATIVE_WINDOW_IN_USE_KHR);
+        RESULT_NAME(VK_ERROR_OUT_OF_DATE_KHR);
+        RESULT_NAME(VK_SUBOPTIMAL_KHR);
         default:
             return fmt::format("VkResult {}", int(result));
     }

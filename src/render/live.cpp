@@ -12,13 +12,19 @@ void LiveFilm::begin(const std::vector<LivePart>& parts, Sampling sampling, std:
     box_ = renderer_.crop();
     assert(!parts.empty() && box_.width() <= int(film_.image().width()) &&
            box_.height() <= int(film_.image().height()));
+    // A picture costs about what the one before it did: a draft is then one round, not five that grow.
+    std::vector<double> pixel_seconds(parts.size(), 0.0);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        for (std::size_t k = 0; k < runs_.size(); ++k)
+            if (parts_[k].method == parts[i].method) pixel_seconds[i] = runs_[k].pixelSeconds();
     parts_ = parts;
     runs_.clear();
     for (const LivePart& part : parts_) {
         if (!passes_.contains(part.method))
             passes_.try_emplace(part.method, device_, renderer_.pipelines(part.method, film_.mask()),
                                 renderer_.deviceScene(), film_.image());
-        runs_.emplace_back(makeTiles(renderer_.spans(), part.x0, part.x1), box_.x0, box_.y0);
+        runs_.emplace_back(makeTiles(renderer_.spans(), part.x0, part.x1), box_.x0, box_.y0,
+                           pixel_seconds[runs_.size()]);
     }
     film_.clear();
     part_ = 0;

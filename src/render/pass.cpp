@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
 
 namespace dsphere {
 
@@ -80,10 +81,9 @@ Pass::Pass(gpu::Device& device, PassPipelines& pipelines, const DeviceScene& dev
            const gpu::StorageImage& film)
     : pipelines_(pipelines),
       retry_list_(device, gpu::Buffer::Usage::Storage, gpu::Buffer::Place::Device, listBytes(film), "retry list"),
+      head_(device, gpu::Buffer::Usage::Staging, gpu::Buffer::Place::Host, sizeof(layout::RetryHead), "retry head"),
       set_(device, pipelines.first(), bindAll(device_scene, film, retry_list_), "render"),
       batch_(device, "render") {
-    layout::RetryHead none = {};
-    retry_list_.upload(0, sizeof(none), &none);
     warmUp(pipelines.first());
 }
 
@@ -97,14 +97,19 @@ void Pass::warmUp(const gpu::ComputePipeline& pipeline) {
 
 double Pass::run(std::span<const layout::RenderParams> tiles) {
     if (tiles.empty()) return 0.0;
+    batch_.clear(retry_list_, sizeof(layout::RetryHead));
     batch_.bind(pipelines_.first(), set_);
     for (const layout::RenderParams& tile : tiles) {
         batch_.push(tile);
         batch_.dispatch(groups(tile.tile_x1 - tile.tile_x, GROUP_SIZE_X),
                         groups(tile.tile_y1 - tile.tile_y, GROUP_SIZE_Y), 1);
     }
+    batch_.copy(retry_list_, head_, sizeof(layout::RetryHead));
     double seconds = batch_.submit();
-    return seconds + retry(tiles.front());
+    head_.invalidate();
+    layout::RetryHead head;
+    std::memcpy(&head, head_.mapped().data(), sizeof(head));
+    return head.count == 0 ? seconds : seconds + retry(head, tiles.front());
 }
 
 // On an empty list, which is put back afterwards.
@@ -116,19 +121,13 @@ void Pass::warmUpFull(const layout::RetryHead& head) {
     retry_list_.upload(0, sizeof(head), &head);
 }
 
-double Pass::retry(layout::RenderParams params) {
-    layout::RetryHead head;
-    retry_list_.download(0, sizeof(head), &head);
-    if (head.count == 0) return 0.0;
+double Pass::retry(const layout::RetryHead& head, const layout::RenderParams& params) {
     retried_ += head.count;
     if (!pipelines_.full_is_warm) warmUpFull(head);
     batch_.bind(pipelines_.full(), set_);
     batch_.push(params);
     batch_.dispatch(groups(int(head.count), GROUP_SIZE_X * GROUP_SIZE_Y), 1, 1);
-    double seconds = batch_.submit();
-    head.count = 0;
-    retry_list_.upload(0, sizeof(head), &head);
-    return seconds;
+    return batch_.submit();
 }
 
 }  // namespace dsphere

@@ -60,10 +60,11 @@ class Pass {
   private:
     void warmUp(const gpu::ComputePipeline& pipeline);
     void warmUpFull(const layout::RetryHead& head);
-    double retry(layout::RenderParams params);
+    double retry(const layout::RetryHead& head, const layout::RenderParams& params);
 
     PassPipelines& pipelines_;
     gpu::Buffer retry_list_;  ///< RetryHead, then pixels
+    gpu::Buffer head_;        ///< the head, for the host
     gpu::BindingSet set_;
     gpu::Batch batch_;
     std::uint64_t retried_ = 0;

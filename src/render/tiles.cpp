@@ -29,18 +29,25 @@ std::vector<Box> makeTiles(const std::vector<Span>& spans, int x0, int x1) {
     return tiles;
 }
 
-// Rounds of tiles: as many a round as fit the time target and the pass.
+// As many tiles a round as fit the time target, at the rate of the last round, and the pass; but never more than twice
+// the last round, whose tiles may have been cheap.
 double TileRun::step(Pass& pass, int sample, std::uint32_t seed, double target) {
     std::vector<layout::RenderParams> round;
+    double most = pixel_seconds_ > 0.0 ? target / pixel_seconds_ : 1.0;
+    if (last_pixels_ > 0) most = std::min(most, 2.0 * double(last_pixels_));
+    most = std::min(most, double(Pass::kMostPixels));
     std::uint64_t pixels = 0;
-    while (!done() && round.size() < at_once_ && pixels + kTileRows * kTileColumns <= Pass::kMostPixels) {
-        const Box& box = tiles_[next_++];
+    while (!done()) {
+        const Box& box = tiles_[next_];
+        const std::uint64_t more = std::uint64_t(box.width()) * std::uint64_t(box.height());
+        if (!round.empty() && double(pixels + more) > most) break;
         round.push_back({box.x0, box.y0, box.x1, box.y1, film_x_, film_y_, sample, seed});
-        pixels += std::uint64_t(box.width()) * std::uint64_t(box.height());
+        pixels += more;
+        ++next_;
     }
     double seconds = pass.run(round);
-    if (seconds < 0.5 * target) at_once_ = std::min(2 * at_once_, tiles_.size());
-    if (seconds > 2.0 * target) at_once_ = std::max<std::size_t>(1, at_once_ / 2);
+    if (pixels > 0) pixel_seconds_ = seconds / double(pixels);
+    last_pixels_ = pixels;
     return seconds;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 // A draft is shown whole, so it is given more time before the hand is looked at again; a still gives way at once.
 constexpr double kDraftSlice = 0.060, kStillSlice = 0.012;
-constexpr double kDraftSubmit = 0.020, kStillSubmit = 0.008;  ///< one submission's aim
+constexpr double kDraftSubmit = kDraftSlice, kStillSubmit = 0.008;  ///< one submission's aim
 constexpr double kIdleWait = 0.1, kRefiningRedraw = 0.25;
 constexpr double kMessageSeconds = 5.0, kFade = 0.5;
 

@@ -8,10 +8,10 @@ namespace dsphere::viewer {
 
 using gpu::check;
 
-Presenter::Presenter(gpu::Device& presents, gpu::Device& renders)
+Presenter::Presenter(gpu::Device& presents, gpu::Device& renders, const ChainCalls& calls)
     : device_(presents),
       direct_(&presents == &renders && presents.presentation()->family == presents.queueFamily()),
-      chain_(presents),
+      chain_(presents, calls),
       overlay_(presents, chain_.pass()),
       drawable_(makeSemaphore(presents, "picture is drawable")) {
     makeCommands();

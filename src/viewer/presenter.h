@@ -11,8 +11,9 @@ namespace dsphere::viewer {
 /// renders: directly if that device also presents from the same queue family, else through the host.
 class Presenter {
   public:
-    /// `presents` shows; `renders` may be the same.
-    Presenter(gpu::Device& presents, gpu::Device& renders);
+    /// `presents` shows, `calls` being its own; `renders` may be the same.
+    Presenter(gpu::Device& presents, gpu::Device& renders) : Presenter(presents, renders, ChainCalls::of(presents)) {}
+    Presenter(gpu::Device& presents, gpu::Device& renders, const ChainCalls& calls);
     ~Presenter();
     Presenter(const Presenter&) = delete;
     Presenter& operator=(const Presenter&) = delete;

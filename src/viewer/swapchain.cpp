@@ -18,7 +18,8 @@ Handle<VkSemaphore> makeSemaphore(const gpu::Device& device, const char* name) {
     return {device.handle(), made, device.vk().vkDestroySemaphore};
 }
 
-Swapchain::Swapchain(gpu::Device& device) : device_(device), surface_(device.presentation()->surface) {
+Swapchain::Swapchain(gpu::Device& device, const ChainCalls& calls)
+    : device_(device), calls_(calls), surface_(device.presentation()->surface) {
     chooseFormat();
     makePass();
 }
@@ -156,8 +157,7 @@ bool Swapchain::resize(int width, int height) {
 
 std::optional<std::uint32_t> Swapchain::acquire(VkSemaphore drawable) {
     std::uint32_t index = 0;
-    VkResult result =
-        device_.vk().vkAcquireNextImageKHR(device_.handle(), chain_, UINT64_MAX, drawable, VK_NULL_HANDLE, &index);
+    VkResult result = calls_.acquire(device_.handle(), chain_, UINT64_MAX, drawable, VK_NULL_HANDLE, &index);
     if (result == VK_ERROR_OUT_OF_DATE_KHR) return {};
     if (result != VK_SUBOPTIMAL_KHR) check(result, "vkAcquireNextImageKHR");
     return index;
@@ -171,7 +171,7 @@ bool Swapchain::present(std::uint32_t index) {
     info.swapchainCount = 1;
     info.pSwapchains = &chain_;
     info.pImageIndices = &index;
-    VkResult result = device_.vk().vkQueuePresentKHR(device_.presentation()->queue, &info);
+    VkResult result = calls_.present(device_.presentation()->queue, &info);
     if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR) return false;
     check(result, "vkQueuePresentKHR");
     return true;

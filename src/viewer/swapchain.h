@@ -8,11 +8,21 @@
 
 namespace dsphere::viewer {
 
+/// The two calls whose results tell that the window has changed, or the device is gone.
+struct ChainCalls {
+    PFN_vkAcquireNextImageKHR acquire;
+    PFN_vkQueuePresentKHR present;
+
+    static ChainCalls of(const gpu::Device& device) {
+        return {device.vk().vkAcquireNextImageKHR, device.vk().vkQueuePresentKHR};
+    }
+};
+
 /// The window's pictures in turn, and the pass that draws into them. Made anew whenever the window changes.
 class Swapchain {
   public:
-    /// The device presents.
-    explicit Swapchain(gpu::Device& device);
+    /// The device presents; `calls` are its own, or stand in for them.
+    Swapchain(gpu::Device& device, const ChainCalls& calls);
     ~Swapchain();
     Swapchain(const Swapchain&) = delete;
     Swapchain& operator=(const Swapchain&) = delete;
@@ -44,6 +54,7 @@ class Swapchain {
     Target makeTarget(VkImage image) const;
 
     gpu::Device& device_;
+    ChainCalls calls_;
     VkSurfaceKHR surface_;
     VkSurfaceFormatKHR format_ = {};
     gpu::Handle<VkRenderPass> pass_;

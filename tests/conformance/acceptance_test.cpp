@@ -18,7 +18,7 @@ void expectAllViews(World world, int width = 1280) {
     world.addSun(bench::kSun);
     world.scene.film.width = width;
     world.scene.film.height = width * 9 / 16;
-    const auto least = std::uint64_t(0.15 * width * world.scene.film.height);
+    const auto least = std::uint64_t(0.13 * width * world.scene.film.height);
     for (const bench::StandardView& view : bench::standardViews()) {
         SCOPED_TRACE(view.name);
         world.scene.camera = bench::cameraOf(view, world.unit());

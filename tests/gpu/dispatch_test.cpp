@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -81,6 +82,33 @@ TEST_F(DispatchTest, BarrierOrdersDependentDispatches) {
     const std::vector<std::uint32_t> values = read(a_);
     const auto once = [](std::uint32_t x) { return (x * 2 + 1) * 5 + 7; };
     for (std::uint32_t i = 0; i < kCount; ++i) ASSERT_EQ(values[i], once(once(i))) << i;
+}
+
+TEST_F(DispatchTest, ClearsAndCopiesInTheOrderOfTheBatch) {
+    const ComputePipeline pipeline = affinePipeline(device_, 3);
+    const BindingSet set(device_, pipeline, {&a_, &b_}, "a to b");
+    const Buffer before(device_, Buffer::Usage::Staging, Buffer::Place::Host, 16, "before");
+    const Buffer after(device_, Buffer::Usage::Staging, Buffer::Place::Host, 16, "after");
+    Batch batch(device_);
+    batch.clear(a_, 8);
+    batch.bind(pipeline, set);
+    batch.push(AffinePush{kCount, 1});
+    batch.dispatch(kGroups, 1, 1);
+    batch.copy(b_, before, 16);
+    batch.clear(b_, 8);
+    batch.copy(b_, after, 16);
+    batch.submit();
+    auto words = [](const Buffer& buffer) {
+        buffer.invalidate();
+        std::vector<std::uint32_t> values(4);
+        std::memcpy(values.data(), buffer.mapped().data(), 16);
+        return values;
+    };
+    const std::vector<std::uint32_t> written = {3 * (kCount - 1) + 1, 3 * (kCount - 2) + 1, 3 * (kCount - 3) + 1,
+                                                3 * (kCount - 4) + 1};
+    EXPECT_EQ(words(before), written);
+    EXPECT_EQ(words(after), (std::vector<std::uint32_t>{0, 0, written[2], written[3]}));
+    EXPECT_EQ(read(b_).back(), 1u) << "a's first number was cleared before it was read";
 }
 
 TEST_F(DispatchTest, BatchIsUsedAgain) {
