@@ -112,16 +112,18 @@ TEST(Tracer, LambertUnderSunAndLamp) {
     Scene scene;
     scene.shapes.push_back(shape(Sphere{1.0}, glm::scale(kOne, dvec3(2.0))));
     *textureOf(scene.shapes[0].material) = ConstantColour{{0.5, 0.25, 1.0}};
-    scene.lights.push_back(DistantLight{.direction = {0.0, 0.6, 0.8}, .radiance = {3.0, 3.0, 6.0}});
-    scene.lights.push_back(PointLight{.position = {0.0, 0.0, 5.0}, .intensity = {9.0, 18.0, 9.0}});
-    scene.lights.push_back(DistantLight{.direction = {0.0, 0.0, -1.0}, .radiance = dvec3(100.0)});
+    scene.lights.emplace_back(DistantLight{.direction = {0.0, 0.6, 0.8}, .radiance = {3.0, 3.0, 6.0}});
+    scene.lights.emplace_back(PointLight{.position = {0.0, 0.0, 5.0}, .intensity = {9.0, 18.0, 9.0}});
+    scene.lights.emplace_back(DistantLight{.direction = {0.0, 0.0, -1.0}, .radiance = dvec3(100.0)});
     const Tracer tracer = plainTracer(scene);
     const dvec3 north(0.0, 0.0, 1.0);  // world (0, 0, 2): the lamp is 3 away
-    expectNear(tracer.shade(0, north, {north, north}, 1), dvec3(0.5, 0.25, 1.0) / kPi * dvec3(2.4, 2.4, 4.8));
-    expectNear(tracer.shade(0, north, {north, north}, 2), dvec3(0.5, 0.25, 1.0) / kPi * dvec3(1.0, 2.0, 1.0));
-    expectNear(tracer.shade(0, north, {north, north}, 7), dvec3(0.5, 0.25, 1.0) / kPi * dvec3(3.4, 4.4, 5.8));
-    expectNear(tracer.shade(0, north, {north, north}, 4), dvec3(0.0));
-    expectNear(tracer.shade(0, north, {north, north}, 0), dvec3(0.0));
+    const ShadingPoint top{0, north, {0.0, 0.0, 2.0}, {north, north}, north};
+    auto shade = [&](std::uint32_t lit) { return tracer.directLight(top, {}, lit); };
+    expectNear(shade(1), dvec3(0.5, 0.25, 1.0) / kPi * dvec3(2.4, 2.4, 4.8));
+    expectNear(shade(2), dvec3(0.5, 0.25, 1.0) / kPi * dvec3(1.0, 2.0, 1.0));
+    expectNear(shade(7), dvec3(0.5, 0.25, 1.0) / kPi * dvec3(3.4, 4.4, 5.8));
+    expectNear(shade(4), dvec3(0.0));
+    expectNear(shade(0), dvec3(0.0));
     const LightRay lamp = lightRay(scene.lights[1], {0.0, 0.0, 2.0});
     EXPECT_EQ(lamp.direction, dvec3(0.0, 0.0, 3.0));
     EXPECT_EQ(lamp.t_max, 1.0);
@@ -136,12 +138,17 @@ TEST(Tracer, HeightRampColoursByHeight) {
     relief.h_offset = 0.0625;
     Scene scene;
     scene.shapes.push_back(shape(DisplacedSphere{}, kOne));
-    *textureOf(scene.shapes[0].material) = HeightRamp{.ramp = std::string(ramp.name)};
+    HeightRamp by_height;
+    by_height.ramp = ramp.name;
+    *textureOf(scene.shapes[0].material) = by_height;
     const Tracer tracer(scene, {&map}, {relief});
     // Texel 4 is centred at longitude 22.5 degrees: h = 4000 / 8000 + 1/16.
     const double longitude = kPi / 8;
     const dvec3 p(std::sin(longitude), 0.0, std::cos(longitude));
     expectNear(tracer.reflectance(0, p), rampColour(ramp, 0.5625));
+    by_height.scale = {2.0, 0.5, 100.0};
+    *textureOf(scene.shapes[0].material) = by_height;
+    expectNear(tracer.reflectance(0, p), glm::min(by_height.scale * rampColour(ramp, 0.5625), dvec3(1.0)));
 }
 
 }  // namespace

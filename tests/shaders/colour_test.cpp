@@ -13,10 +13,9 @@
 namespace dsphere::test {
 namespace {
 
-
 struct Painted {
     Shape shape;
-    ImageMap texture{"random", 0.9, {}};
+    ImageMap texture{"random", dvec3(0.9), {}};
     ColourMap image;
     layout::ObjectData object = {};
     Resources resources;
