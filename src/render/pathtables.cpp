@@ -49,7 +49,7 @@ double hidden(double cosine, double alpha) {
 // One minus the mean of G2 / G1 over the visible facets (Heitz 2018), by midpoints of their sample numbers. Smooth facets
 // lose light at the rim of the disk that they are drawn from alone, so the radii crowd there.
 double lossAt(double cosine, double alpha) {
-    constexpr int kRadii = 1024, kAngles = 48;
+    constexpr int kRadii = 4096, kAngles = 24;  // of one half, which mirrors the other
     const double c = std::max(cosine, 1e-5);
     const dvec3 view(std::sqrt(1.0 - c * c), 0.0, c);
     const dvec3 stretched = glm::normalize(dvec3(alpha * view.x, 0.0, view.z));
@@ -60,7 +60,7 @@ double lossAt(double cosine, double alpha) {
         const double from_rim = 1.0 - (i + 0.5) / kRadii;
         const double radius = std::sqrt(1.0 - from_rim * from_rim * from_rim), weight = 3.0 * from_rim * from_rim;
         for (int j = 0; j < kAngles; ++j) {
-            const double angle = 2.0 * kPi * (j + 0.5) / kAngles, a = radius * std::cos(angle);
+            const double angle = kPi * ((j + 0.5) / kAngles - 0.5), a = radius * std::cos(angle);
             const double b = (1.0 - s) * std::sqrt(1.0 - a * a) + s * radius * std::sin(angle);
             const dvec3 facet = a * x + b * y + std::sqrt(std::max(0.0, 1.0 - a * a - b * b)) * stretched;
             const dvec3 h = glm::normalize(dvec3(alpha * facet.x, alpha * facet.y, std::max(facet.z, 0.0)));
