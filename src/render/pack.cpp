@@ -244,7 +244,7 @@ void packCamera(PackedScene& packed, const Scene& scene) {
 void packLook(PackedScene& packed, const Scene& scene, const SceneMaps& maps) {
     for (std::size_t i = 0; i < scene.shapes.size(); ++i)
         packMaterial(packed.objects[i], scene.shapes[i], maps.reliefs[i]);
-    packed.lights = packLights(scene, maps, packed.tables);
+    packed.lights = packLights(scene, maps, packed.tables, centreOf(scene.shapes[0]));
     packed.materials = packMaterials(scene, packed.tables);
 }
 

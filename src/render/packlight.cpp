@@ -117,8 +117,8 @@ void packMatte(MaterialData& data, const Matte& matte) {
 
 }  // namespace
 
-std::vector<LightData> packLights(const Scene& scene, const SceneMaps& maps, const PathTables& tables) {
-    const dvec3 first_centre = transformPoint(scene.shapes[0].world_from_object, dvec3(0.0));
+std::vector<LightData> packLights(const Scene& scene, const SceneMaps& maps, const PathTables& tables,
+                                  const dvec3& first_centre) {
     std::vector<LightData> lights;
     std::vector<double> irradiances;
     for (const Light& light : scene.lights) {

@@ -9,9 +9,10 @@
 
 namespace dsphere {
 
-/// Lights, as seen from the first object's centre: a planet and its lamp may be far from the origin. Image lights lack their
-/// place in the images.
-std::vector<layout::LightData> packLights(const Scene& scene, const SceneMaps& maps, const PathTables& tables);
+/// Lights, as seen from the first object's centre (world, that of ObjectData::from_first): a planet and its lamp may be far
+/// from the origin. Image lights lack their place in the images.
+std::vector<layout::LightData> packLights(const Scene& scene, const SceneMaps& maps, const PathTables& tables,
+                                          const dvec3& first_centre);
 
 /// What the shapes are made of, one a shape.
 std::vector<layout::MaterialData> packMaterials(const Scene& scene, const PathTables& tables);

@@ -13,9 +13,9 @@
 namespace dsphere::conformance {
 namespace {
 
-const Material kMatte = Matte{ConstantColour{dvec3(0.7, 0.4, 0.2)}}, kRoughMatte = Matte{ConstantColour{dvec3(0.7)}, 30.0},
-               kConductor = Conductor{.alpha = 0.25}, kSmoothConductor = Conductor{.alpha = 0.03},
-               kRoughConductor = Conductor{dvec3(0.0), dvec3(1.0), 0.9},
+const Material kMatte = Matte{ConstantColour{dvec3(0.7, 0.4, 0.2)}},
+               kRoughMatte = Matte{ConstantColour{dvec3(0.7)}, 30.0}, kConductor = Conductor{.alpha = 0.25},
+               kSmoothConductor = Conductor{.alpha = 0.03}, kRoughConductor = Conductor{dvec3(0.0), dvec3(1.0), 0.9},
                kPlastic = Plastic{ConstantColour{dvec3(0.3, 0.5, 0.1)}, dvec3(0.4), 0.1},
                kMirror = Mirror{dvec3(0.9, 0.8, 0.7)};
 
@@ -36,8 +36,9 @@ World objects(const Materials& materials) {
     World world = sphereWorld(test::fractalMap(128, 64), sphere);
     world.addPlain(Sphere{0.5}, translation({1.6, -0.3, 0.7}));
     world.addPlain(Disk{0.1, 0.8, 0.2}, translation({-1.5, 0.2, 0.3}) * glm::rotate(dmat4(1.0), 0.7, dvec3(1, 0.5, 0)));
-    world.addPlain(TriangleMesh{{{-4, -1.3, -4}, {4, -1.3, -4}, {4, -1.3, 4}, {-4, -1.3, 4}}, {{0, 1, 2}, {0, 2, 3}}, {}},
-                   dmat4(1.0));
+    world.addPlain(
+        TriangleMesh{{{-4, -1.3, -4}, {4, -1.3, -4}, {4, -1.3, 4}, {-4, -1.3, 4}}, {{0, 1, 2}, {0, 2, 3}}, {}},
+        dmat4(1.0));
     for (std::size_t i = 0; i < materials.size(); ++i) world.scene.shapes[i].material = materials[i];
     world.lookAt({1.2, 1.4, 4.2}, {0.1, -0.2, 0.0}, dvec3(0.0, 1.0, 0.0), 50.0);
     return world;
@@ -60,7 +61,8 @@ void addSkyImage(World& world) {
     for (int j = 0; j < 16; ++j)
         for (int i = 0; i < 32; ++i) {
             const bool sun = i == 9 && j == 4;
-            for (float share : {0.9f, 1.0f, 1.2f}) light.push_back(sun ? 15.0f : share * 0.05f * float((i * 7 + j * 5) % 11));
+            for (float share : {0.9f, 1.0f, 1.2f})
+                light.push_back(sun ? 15.0f : share * 0.05f * float((i * 7 + j * 5) % 11));
         }
     world.maps.images.push_back(std::make_unique<ColourMap>(test::lightOf(32, 16, light), "sky"));
     world.maps.light_image = int(world.maps.images.size()) - 1;
@@ -77,13 +79,23 @@ struct LightCase {
 };
 
 const std::vector<LightCase> kLights = {
-    {"Sun", [](World& world) { world.addSun({1.0, 1.5, 1.2}); }},
-    {"Lamp", [](World& world) { world.addLamp({1.5, 2.0, 1.8}, 6.0); }},
-    {"Ball", [](World& world) { addEmitter(world, Sphere{0.4}, translation({-0.4, 2.1, 1.6}), dvec3(8, 7, 6), false); }},
+    {"Sun",
+     [](World& world) {
+         world.addSun({1.0, 1.5, 1.2});
+     }},
+    {"Lamp",
+     [](World& world) {
+         world.addLamp({1.5, 2.0, 1.8}, 6.0);
+     }},
+    {"Ball",
+     [](World& world) {
+         addEmitter(world, Sphere{0.4}, translation({-0.4, 2.1, 1.6}), dvec3(8, 7, 6), false);
+     }},
     {"Panel",
      [](World& world) {
          addEmitter(world, Disk{0.05, 0.9, 0.3},
-                    translation({-1.2, 2.2, 0.9}) * glm::rotate(dmat4(1.0), 1.9, dvec3(1.0, 0.4, 0.0)), dvec3(9, 8, 6), true);
+                    translation({-1.2, 2.2, 0.9}) * glm::rotate(dmat4(1.0), 1.9, dvec3(1.0, 0.4, 0.0)), dvec3(9, 8, 6),
+                    true);
      }},
     {"Sky", addSky},
     {"SkyImage", addSkyImage},
@@ -115,6 +127,17 @@ TEST_F(Lighting, OfManyLightsAtOnce) {
 TEST_F(Lighting, OnCheckerboardsOfEveryShape) {
     World world = objects(all(Matte{Checkerboard{dvec3(0.9, 0.1, 0.2), dvec3(0.1, 0.5, 0.9), 12.0, 7.0}}));
     world.addSun({1.0, 1.5, 1.2});
+    expectContract(picture(world).report);
+}
+
+/// Lights are counted from the first shape's middle, which is not where a mesh's own origin lies.
+TEST_F(Lighting, WhereAMeshComesFirst) {
+    World world;
+    world.addPlain(TriangleMesh{{{-4, -1.3, -4}, {4, -1.3, -4}, {3, -1.2, 5}}, {{0, 1, 2}}, {}}, dmat4(1.0));
+    world.addPlain(Sphere{0.5}, translation({0.6, -0.3, 0.7}));
+    world.lookAt({1.2, 1.4, 4.2}, {0.1, -0.2, 0.0}, dvec3(0.0, 1.0, 0.0), 50.0);
+    world.addLamp({0.5, 1.0, 0.8}, 3.0);
+    addEmitter(world, Sphere{0.2}, translation({-0.9, 0.4, 0.6}), dvec3(8, 7, 6), false);
     expectContract(picture(world).report);
 }
 
