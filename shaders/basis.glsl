@@ -5,7 +5,7 @@ struct Basis {
 };
 
 // Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
-Basis basisAbout(vec3 z) {
+Basis basisAbout(const vec3 z) {
     float s = z.z < 0.0 ? -1.0 : 1.0;
     float a = -1.0 / (s + z.z);
     float b = z.x * z.y * a;
@@ -16,16 +16,16 @@ Basis basisAbout(vec3 z) {
     return basis;
 }
 
-vec3 intoBasis(Basis basis, vec3 v) {
+vec3 intoBasis(const Basis basis, const vec3 v) {
     return vec3(dot(v, basis.x), dot(v, basis.y), dot(v, basis.z));
 }
 
-vec3 outOfBasis(Basis basis, vec3 v) {
+vec3 outOfBasis(const Basis basis, const vec3 v) {
     return v.x * basis.x + v.y * basis.y + v.z * basis.z;
 }
 
 // By the density cos / pi.
-vec3 cosineDirection(vec2 u) {
+vec3 cosineDirection(const vec2 u) {
     float angle = 2.0 * kPi * u.y;
     float sine = sqrt(u.x);
     return vec3(sine * cos(angle), sine * sin(angle), sqrt(1.0 - u.x));

@@ -6,7 +6,7 @@
 // that do not round.
 
 // a * b exactly (Dekker).
-Pair exactProduct(real a, real b) {
+Pair exactProduct(const real a, const real b) {
     real a1 = leadingBits(a);
     real b1 = leadingBits(b);
     precise real a2 = a - a1;
@@ -17,7 +17,7 @@ Pair exactProduct(real a, real b) {
 }
 
 // sqrt(a^2 + b^2) to twice a float's bits.
-Pair exactLength(real a, real b) {
+Pair exactLength(const real a, const real b) {
     Pair aa = exactProduct(a, a);
     Pair bb = exactProduct(b, b);
     Pair square = exactSum(aa.hi, bb.hi, aa.lo + bb.lo);
@@ -28,7 +28,7 @@ Pair exactLength(real a, real b) {
 }
 
 // The angle from a centre to (a, b), `centre` the sine and cosine of its angle as float (x, y) and rest (z, w).
-real angleFrom(Pair a, real b, vec4 centre) {
+real angleFrom(const Pair a, const real b, const vec4 centre) {
     Pair a_cos = exactProduct(a.hi, centre.y);
     Pair b_sin = exactProduct(b, centre.x);
     precise real rest = (a_cos.lo - b_sin.lo) + ((a.lo * centre.y + a.hi * centre.w) - b * centre.z);
@@ -43,7 +43,7 @@ struct TexelPlace {
 };
 
 // `q` has its poles on y, as displaced spheres have.
-TexelPlace imageColumn(ObjectData o, vec3 q) {
+TexelPlace imageColumn(const ObjectData o, const vec3 q) {
     real turn = atan2Precise(q.x, q.z) * (real(0.5) / kPi) + real(o.image_shift);
     TexelPlace place;
     place.index = clamp(int((turn - floor(turn)) * real(o.image_width)), 0, o.image_width - 1);
@@ -52,14 +52,14 @@ TexelPlace imageColumn(ObjectData o, vec3 q) {
     return place;
 }
 
-int nearestRow(ObjectData o, real share) {
+int nearestRow(const ObjectData o, const real share) {
     return clamp(int(share * real(o.image_height)), 0, o.image_height - 1);
 }
 
-TexelPlace imageRow(ObjectData o, vec3 q) {
+TexelPlace imageRow(const ObjectData o, const vec3 q) {
     Pair rho = exactLength(q.x, q.z);
     TexelPlace place;
-    if (o.kind == KIND_DISK) {
+    if (isKind(o, KIND_DISK)) {
         real inner = sqrt(real(o.inner_squared));
         real per_unit = real(1) / (real(1) - inner);
         place.index = nearestRow(o, (rho.hi - inner) * per_unit);
@@ -75,26 +75,26 @@ TexelPlace imageRow(ObjectData o, vec3 q) {
 }
 
 // The texel on the point's side of the nearest one.
-int neighbour(TexelPlace place, int count) {
+int neighbour(const TexelPlace place, const int count) {
     int index = place.index + (place.beyond < real(0) ? -1 : 1);
     return index < 0 ? index + count : (index >= count ? index - count : index);
 }
 
-vec3 alongRow(ObjectData o, TexelPlace column, int row) {
+vec3 alongRow(const ObjectData o, const TexelPlace column, const int row) {
     real weight = abs(column.beyond);
     return (real(1) - weight) * imageTexel(o, column.index, row) +
            weight * imageTexel(o, neighbour(column, o.image_width), row);
 }
 
 // Between the first (last) row of a displaced sphere's image and the pole.
-vec3 inCap(ObjectData o, TexelPlace row, vec3 own, vec3 q) {
+vec3 inCap(const ObjectData o, const TexelPlace row, const vec3 own, const vec3 q) {
     real from_pole = atan2Precise(length(vec2(q.x, q.z)), abs(q.y)) * (real(2 * o.image_height) / kPi);
     vec3 pole = row.beyond < real(0) ? vec3(o.image_north) : vec3(o.image_south);
     return from_pole * own + real(2) * abs(row.beyond) * pole;
 }
 
-vec3 imageColour(ObjectData o, vec3 p) {
-    bool planet = o.kind == KIND_DISPLACED;
+vec3 imageColour(const ObjectData o, const vec3 p) {
+    bool planet = isKind(o, KIND_DISPLACED);
     vec3 q = planet ? p : vec3(-p.y, p.z, -p.x);  // pbrt's shapes have their axis on z and begin at +x
     TexelPlace column = imageColumn(o, q);
     TexelPlace row = imageRow(o, q);
@@ -108,7 +108,7 @@ vec3 imageColour(ObjectData o, vec3 p) {
 
 #ifdef WITH_PATHS
 // At texture coordinates, which repeat; (0, 0) is the image's lower left corner.
-vec3 imageColourAt(ObjectData o, vec2 uv) {
+vec3 imageColourAt(const ObjectData o, const vec2 uv) {
     vec2 texel = vec2(uv.x - floor(uv.x), real(1) - (uv.y - floor(uv.y))) * vec2(o.image_width, o.image_height) - real(0.5);
     vec2 corner = floor(texel);
     vec2 t = texel - corner;
@@ -123,13 +123,13 @@ vec3 imageColourAt(ObjectData o, vec2 uv) {
 #endif
 
 // (u, v): a displaced sphere's as its heights have them, others' as pbrt has them.
-vec2 surfaceUv(ObjectData o, vec3 p) {
-    if (o.kind == KIND_DISPLACED)
+vec2 surfaceUv(const ObjectData o, const vec3 p) {
+    if (isKind(o, KIND_DISPLACED))
         return vec2(real(0.5) + atan2Precise(p.x, p.z) / (real(2) * kPi),
                     atan2Precise(sqrt(p.x * p.x + p.z * p.z), p.y) / kPi);
     real turn = atan2Precise(p.y, p.x) / (real(2) * kPi);
     real rho = sqrt(p.x * p.x + p.y * p.y);
-    real v = o.kind == KIND_DISK ? (real(1) - rho) / (real(1) - sqrt(real(o.inner_squared)))
-                                 : real(1) - atan2Precise(rho, p.z) / kPi;
+    real v = isKind(o, KIND_DISK) ? (real(1) - rho) / (real(1) - sqrt(real(o.inner_squared)))
+                                  : real(1) - atan2Precise(rho, p.z) / kPi;
     return vec2(turn < real(0) ? turn + real(1) : turn, v);
 }

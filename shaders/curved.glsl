@@ -11,20 +11,20 @@ struct Patch {
     bool ripples;
 };
 
-bool sceneHasSurface(int surface) {
+bool sceneHasSurface(const int surface) {
     return (kSurfaces & (1 << surface)) != 0;
 }
 
 // Whether all of the scene's displaced spheres have that surface: then no test is left, nor the code of the others.
-bool sceneHasOnly(int surface) {
+bool sceneHasOnly(const int surface) {
     return (kSurfaces & ~(1 << SURFACE_SMOOTH_NORMALS)) == 1 << surface;
 }
 
-bool hasSurface(MapData map, int surface) {
+bool hasSurface(const MapData map, const int surface) {
     return sceneHasOnly(surface) || (sceneHasSurface(surface) && map.surface == surface);
 }
 
-bool isRippled(Patch quad) {
+bool isRippled(const Patch quad) {
     return sceneHasOnly(SURFACE_RIPPLES) || (sceneHasSurface(SURFACE_RIPPLES) && quad.ripples);
 }
 
@@ -39,12 +39,12 @@ Patch flatPatch() {
 }
 
 // The cubic with that value at 0, that rise to 1, and those slopes at 0 and 1 (Hermite).
-vec4 cubicOf(real start, real rise, real slope_0, real slope_1) {
+vec4 cubicOf(const real start, const real rise, const real slope_0, const real slope_1) {
     return vec4(start, slope_0, real(3) * rise - (slope_0 + slope_0 + slope_1), slope_0 + slope_1 - (rise + rise));
 }
 
 // Of the cell's corners: value, slope eastward, slope southward, twist. Linear in v within a cap.
-Patch splinePatch(MapData map, real scale, ivec2 cell) {
+Patch splinePatch(const MapData map, const real scale, const ivec2 cell) {
     int next = cell.x + 1 == map.width ? 0 : cell.x + 1;
     vec4 nw = nodeAt(map, cell.x, cell.y);
     vec4 ne = nodeAt(map, next, cell.y);
@@ -64,7 +64,7 @@ Patch splinePatch(MapData map, real scale, ivec2 cell) {
     return quad;
 }
 
-Patch bilinearPatch(MapData map, real scale, ivec2 cell) {
+Patch bilinearPatch(const MapData map, const real scale, const ivec2 cell) {
     vec4 of = bilinearOf(map, scale, cell);
     Patch quad = flatPatch();
     quad.c0 = vec4(of.x, of.y, real(0), real(0));
@@ -73,7 +73,7 @@ Patch bilinearPatch(MapData map, real scale, ivec2 cell) {
 }
 
 // The arguments of the sines at the edges lie in the two rows below the edges'.
-Patch ripplePatch(MapData map, real scale, ivec2 cell) {
+Patch ripplePatch(const MapData map, const real scale, const ivec2 cell) {
     vec4 west = edgesAt(cell.x, map.edges_y + 2);
     vec4 north = edgesAt(cell.y, map.edges_y + 3);
     Patch quad = flatPatch();
@@ -83,7 +83,7 @@ Patch ripplePatch(MapData map, real scale, ivec2 cell) {
     return quad;
 }
 
-Patch fetchPatch(MapData map, real scale, ivec2 cell) {
+Patch fetchPatch(const MapData map, const real scale, const ivec2 cell) {
     Patch quad;
     if (hasSurface(map, SURFACE_BILINEAR)) quad = bilinearPatch(map, scale, cell);
     if (hasSurface(map, SURFACE_SPLINE)) quad = splinePatch(map, scale, cell);
@@ -92,45 +92,45 @@ Patch fetchPatch(MapData map, real scale, ivec2 cell) {
 }
 
 // Sine and cosine of an angle whose own are `at`, plus a small one: |x| <= 0.2.
-vec2 sineBeyond(vec2 at, real x) {
+vec2 sineBeyond(const vec2 at, const real x) {
     real square = x * x;
     real sine = x * (real(1) - square * (real(1.0 / 6.0) - square * real(1.0 / 120.0)));
     real versine = square * (real(0.5) - square * (real(1.0 / 24.0) - square * real(1.0 / 720.0)));
     return vec2(at.x + (at.y * sine - at.x * versine), at.y - (at.x * sine + at.y * versine));
 }
 
-vec2 rippleSineU(Patch quad, real fu) {
+vec2 rippleSineU(const Patch quad, const real fu) {
     return sineBeyond(vec2(quad.c0.x, quad.c0.y), fu * quad.c1.x);
 }
 
-vec2 rippleSineV(Patch quad, real fv) {
+vec2 rippleSineV(const Patch quad, const real fv) {
     return sineBeyond(vec2(quad.c0.z, quad.c0.w), fv * quad.c1.y);
 }
 
 // The polynomial's coefficients in u on a parallel, and their slopes along v.
-vec4 acrossAt(Patch quad, real fv) {
+vec4 acrossAt(const Patch quad, const real fv) {
     return quad.c0 + fv * (quad.c1 + fv * (quad.c2 + fv * quad.c3));
 }
 
-vec4 acrossSlopesAt(Patch quad, real fv) {
+vec4 acrossSlopesAt(const Patch quad, const real fv) {
     return quad.c1 + fv * (real(2) * quad.c2 + (real(3) * fv) * quad.c3);
 }
 
-real cubicValue(vec4 c, real x) {
+real cubicValue(const vec4 c, const real x) {
     return c.x + x * (c.y + x * (c.z + x * c.w));
 }
 
-real cubicSlope(vec4 c, real x) {
+real cubicSlope(const vec4 c, const real x) {
     return c.y + x * (real(2) * c.z + (real(3) * x) * c.w);
 }
 
-real patchValue(Patch quad, real fu, real fv) {
+real patchValue(const Patch quad, const real fu, const real fv) {
     if (isRippled(quad)) return quad.c1.z * (real(1) + rippleSineU(quad, fu).x * rippleSineV(quad, fv).x);
     return cubicValue(acrossAt(quad, fv), fu);
 }
 
 // dr/du and dr/dv, per cell.
-vec2 patchSlopes(Patch quad, real fu, real fv) {
+vec2 patchSlopes(const Patch quad, const real fu, const real fv) {
     if (isRippled(quad)) {
         vec2 u = rippleSineU(quad, fu);
         vec2 v = rippleSineV(quad, fv);
@@ -141,7 +141,7 @@ vec2 patchSlopes(Patch quad, real fu, real fv) {
 
 // dr/du over the share of the way from the pole to the cell's other edge, in a row that touches a pole, where both are 0
 // together: the polynomial divided by v, or by 1 - v; of ripples the sine over its argument.
-real poleSlopeEast(Patch quad, real fu, real fv, bool north) {
+real poleSlopeEast(const Patch quad, const real fu, const real fv, const bool north) {
     real from_pole = north ? fv : real(1) - fv;
     if (isRippled(quad)) {
         real x = quad.c1.y * from_pole;
@@ -157,7 +157,7 @@ real poleSlopeEast(Patch quad, real fu, real fv, bool north) {
 }
 
 // Gradient of f = |p| - r(p/|p|); in the rows that touch a pole the distance to the axis cancels.
-vec3 patchGradient(MapData map, Patch quad, PatchPoint at, int row, vec3 p) {
+vec3 patchGradient(const MapData map, const Patch quad, const PatchPoint at, const int row, const vec3 p) {
     real radius = max(length(p), kTiny);
     real rho = sqrt(p.x * p.x + p.z * p.z);
     real per_radian = cellsPerRadianV(map, row);
@@ -174,7 +174,7 @@ struct Bends {
     vec4 third;   // uuu, uuv, uvv, vvv
 };
 
-Bends patchBends(Patch quad) {
+Bends patchBends(const Patch quad) {
     Bends bends;
     if (isRippled(quad)) {
         real u = quad.c1.x;
@@ -199,7 +199,7 @@ Bends patchBends(Patch quad) {
 
 // A bound of d3 r / dy3 along a chord on which u and v are parabolas of y in [0, 1], by the chain rule. `rate`: at its
 // start; `bend`: half of the second derivative.
-real chordTwist(Bends bends, vec2 rate, vec2 bend) {
+real chordTwist(const Bends bends, const vec2 rate, const vec2 bend) {
     vec2 grown = rate + real(2) * bend;
     real u = max(abs(rate.x), abs(grown.x));
     real v = max(abs(rate.y), abs(grown.y));

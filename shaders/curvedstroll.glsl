@@ -5,7 +5,7 @@
 const real kEnoughOfDoubt = real(0.25);
 
 // A bound of |grad f| along a chord: the slopes at its middle, and how far they can change from there.
-real steepestAlong(Patch quad, Bends bends, vec3 middle, vec2 reach, vec2 steepness) {
+real steepestAlong(const Patch quad, const Bends bends, const vec3 middle, const vec2 reach, const vec2 steepness) {
     vec2 slopes = abs(patchSlopes(quad, middle.x, middle.y));
     real east = slopes.x + bends.second.x * reach.x + bends.second.y * reach.y;
     real south = slopes.y + bends.second.y * reach.x + bends.second.z * reach.y;
@@ -13,7 +13,8 @@ real steepestAlong(Patch quad, Bends bends, vec3 middle, vec2 reach, vec2 steepn
 }
 
 // The chord's parabola, and in `band` how far rounding can take the ray and the surface apart.
-Chord curvedChord(Patch quad, vec3 start, vec3 slope, vec3 bend, vec2 steepness, INOUT(real) band) {
+Chord curvedChord(const Patch quad, const vec3 start, const vec3 slope, const vec3 bend, const vec2 steepness,
+                  INOUT(real) band) {
     vec3 middle = start + real(0.5) * (slope + real(0.5) * bend);
     vec3 end = start + slope + bend;
     real g_start = start.z - patchValue(quad, start.x, start.y);
@@ -29,12 +30,13 @@ Chord curvedChord(Patch quad, vec3 start, vec3 slope, vec3 bend, vec2 steepness,
 
 // Whether g falls all along the chord and ends below the band: then its one root is the first. Steeply enough that the
 // parabola's slope is right to a tenth, so that the refinement's two steps reach it.
-bool fallsThrough(Chord chord, real band) {
+bool fallsThrough(const Chord chord, const real band) {
     real steepest_rise = max(chord.slope, chord.slope + real(2) * chord.bend);
     return chord.g + chord.slope + chord.bend < -band && steepest_rise < real(-100) * chord.miss;
 }
 
-void strollStep(INOUT(Stroll) stroll, Piece piece, MapData map, real scale, bool may_be_inside) {
+void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, const real scale,
+                const bool may_be_inside) {
     Patch quad = fetchPatch(map, scale, stroll.cell);  // too much to carry along: filterMarch fetches the hit's again
     real height = rowHeight(map, stroll.cell.y);
     real rows_per_height = height < real(1) ? real(2) : real(1);

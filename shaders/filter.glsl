@@ -14,11 +14,11 @@ const real kAxisDoubt = real(2e-5);
 // Longer searches are left to the other walk, whose own steps count towards the same limit of the device.
 const int kFilterSteps = 12000;
 
-real lesser(real a, real b) {
+real lesser(const real a, const real b) {
     return a < b ? a : b;
 }
 
-real greater(real a, real b) {
+real greater(const real a, const real b) {
     return a > b ? a : b;
 }
 
@@ -27,7 +27,7 @@ struct Corner {
     vec2 west, north;
 };
 
-Corner cornerOf(MapData map, ivec2 cell) {
+Corner cornerOf(const MapData map, const ivec2 cell) {
     vec4 west = edgesAt(cell.x, map.edges_y);
     vec4 north = edgesAt(cell.y, map.edges_y + 1);
     Corner corner;
@@ -42,7 +42,7 @@ struct Sight {
     real rho, radius;    // distance to the axis and to the centre
 };
 
-Sight sightOf(Corner corner, MapData map, vec3 p) {
+Sight sightOf(const Corner corner, const MapData map, const vec3 p) {
     Sight sight;
     real across = p.x * corner.west.y - p.z * corner.west.x;
     real along = p.x * corner.west.x + p.z * corner.west.y;
@@ -65,13 +65,14 @@ struct Piece {
     bool doubtful;
 };
 
-vec3 placeOf(Corner corner, MapData map, real base, vec3 p) {
+vec3 placeOf(const Corner corner, const MapData map, const real base, const vec3 p) {
     Sight sight = sightOf(corner, map, p);
     return vec3(sight.columns, sight.rows, sight.radius - base);
 }
 
 // The longest piece that starts at s.
-Piece makePiece(Ray ray, MapData map, real base, real across_axis, real s, real s_end) {
+Piece makePiece(const Ray ray, const MapData map, const real base, const real across_axis, const real s,
+                const real s_end) {
     Piece piece;
     vec3 p = ray.c + s * ray.d;
     piece.cell = locateCell(map, p);
@@ -100,7 +101,7 @@ struct Advance {
     bool crosses;
 };
 
-Advance advanceTo(real gap, real rate, real bend) {
+Advance advanceTo(const real gap, const real rate, const real bend) {
     real square = rate * rate + real(4) * gap * bend;
     Advance advance;
     advance.crosses = square >= real(0);
@@ -111,7 +112,7 @@ Advance advanceTo(real gap, real rate, real bend) {
     return advance;
 }
 
-real rowHeight(MapData map, int row) {
+real rowHeight(const MapData map, const int row) {
     return map.caps != 0 && isPoleRow(map, row) ? real(0.5) : real(1);
 }
 
@@ -132,12 +133,12 @@ struct Stroll {
 
 // From a place in a cell to the edge that lies ahead, along one coordinate. A place that rounding has put beyond the edge
 // already is taken as on it.
-real gapAhead(real place, bool forward, real size) {
+real gapAhead(const real place, const bool forward, const real size) {
     return forward ? greater(size - place, real(0)) : lesser(-place, real(0));
 }
 
 // On to the last chord's end, and over the edges that it `leaves` the cell by. `height`: the cell's, in rows.
-void strollOn(INOUT(Stroll) stroll, MapData map, bvec2 leaves, bvec2 forward, real height) {
+void strollOn(INOUT(Stroll) stroll, const MapData map, const bvec2 leaves, const bvec2 forward, const real height) {
     real below = forward.y ? height : -rowHeight(map, stroll.cell.y - 1);
     stroll.x = stroll.high;
     stroll.cell.x = wrapColumn(stroll.cell.x + (leaves.x ? (forward.x ? 1 : -1) : 0), map.width);
@@ -147,11 +148,12 @@ void strollOn(INOUT(Stroll) stroll, MapData map, bvec2 leaves, bvec2 forward, re
 }
 
 #ifdef WITH_CURVED
-void strollStep(INOUT(Stroll) stroll, Piece piece, MapData map, real scale, bool may_be_inside);  // curvedstroll.glsl
+void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, const real scale,
+                const bool may_be_inside);  // curvedstroll.glsl
 #else
 // g along a chord, y in [0, 1], in the patch and on its piece: the quartic's coefficients from the products, then the
 // parabola through its ends and middle, where y^3 = 1.5 y^2 - 0.5 y and y^4 = 1.75 y^2 - 0.75 y.
-Chord strollChord(Patch quad, vec3 start, vec3 slope, vec3 bend) {
+Chord strollChord(const Patch quad, const vec3 start, const vec3 slope, const vec3 bend) {
     real twist_1 = start.x * slope.y + start.y * slope.x;
     real twist_2 = start.x * bend.y + slope.x * slope.y + start.y * bend.x;
     real twist_3 = slope.x * bend.y + slope.y * bend.x;
@@ -165,14 +167,15 @@ Chord strollChord(Patch quad, vec3 start, vec3 slope, vec3 bend) {
 }
 
 // An upper bound of the surface's |grad f| between two places of a patch.
-real steepestOn(Patch quad, vec3 start, vec3 end, vec2 steepness) {
+real steepestOn(const Patch quad, const vec3 start, const vec3 end, const vec2 steepness) {
     real east = greater(abs(quad.b + quad.d * start.y), abs(quad.b + quad.d * end.y));
     real south = greater(abs(quad.c + quad.d * start.x), abs(quad.c + quad.d * end.x));
     return real(1) + east * steepness.x + south * steepness.y;
 }
 
 // Through one cell. `may_be_inside`: at the start of a camera's ray, which may lie inside the solid.
-void strollStep(INOUT(Stroll) stroll, Piece piece, MapData map, real scale, bool may_be_inside) {
+void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, const real scale,
+                const bool may_be_inside) {
     Patch quad = fetchPatch(map, scale, stroll.cell);
     real height = rowHeight(map, stroll.cell.y);
     real rows_per_height = height < real(1) ? real(2) : real(1);
@@ -218,8 +221,8 @@ struct Filtered {
 };
 
 // One leaf, or as much of it as one piece covers: the cursor is moved to its end.
-void filterLeaf(INOUT(Filtered) answer, INOUT(Cursor) at, Ray ray, MapData map, real base, real scale,
-                real across_axis) {
+void filterLeaf(INOUT(Filtered) answer, INOUT(Cursor) at, const Ray ray, const MapData map, const real base,
+                const real scale, const real across_axis) {
     Piece piece = makePiece(ray, map, base, across_axis, at.s, at.leaf_end);
     Stroll stroll;
     stroll.cell = piece.cell;
@@ -252,7 +255,7 @@ void filterLeaf(INOUT(Filtered) answer, INOUT(Cursor) at, Ray ray, MapData map, 
 }
 
 // Searches the whole ray in single floats.
-Filtered filterMarch(Ray ray, MapData map, real base, real scale, real shell_squared) {
+Filtered filterMarch(const Ray ray, const MapData map, const real base, const real scale, const real shell_squared) {
     Filtered answer;
     answer.hit = false;
     answer.inside = false;
@@ -281,7 +284,7 @@ Filtered filterMarch(Ray ray, MapData map, real base, real scale, real shell_squ
 }
 
 // A float point, and the true surface of the answer's cell seen from there.
-Crossing crossingAt(vec3 p, MapData map, real base, Filtered answer) {
+Crossing crossingAt(const vec3 p, const MapData map, const real base, const Filtered answer) {
     Crossing crossing;
     crossing.p = p;
     Stroll stroll = answer.stroll;
@@ -295,7 +298,7 @@ Crossing crossingAt(vec3 p, MapData map, real base, Filtered answer) {
 }
 
 // The same to 48 bits: the height ramp's colour of a steep map needs them.
-Crossing finalCrossing(vec3 p, MapData map, Pair base, Filtered answer) {
+Crossing finalCrossing(const vec3 p, const MapData map, const Pair base, const Filtered answer) {
     Crossing crossing;
     crossing.p = p;
     ivec2 cell = answer.stroll.cell;
@@ -313,7 +316,7 @@ Crossing finalCrossing(vec3 p, MapData map, Pair base, Filtered answer) {
 
 // Two Newton steps on the true f at float points, the first with the parabola's slope: what is left is f's rounding. Points
 // move from each other, not along s, whose own rounding would come on top.
-Crossing filterRefine(Ray ray, MapData map, Pair base, Filtered answer) {
+Crossing filterRefine(const Ray ray, const MapData map, const Pair base, const Filtered answer) {
     Stroll stroll = answer.stroll;
     real low = answer.piece.s + stroll.low * answer.piece.extent;
     real length_of_chord = (stroll.high - stroll.low) * answer.piece.extent;

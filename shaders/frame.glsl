@@ -24,12 +24,12 @@ const real kAlongAxis = real(1e-3);
 const real kTurnAside = real(1e-9);
 
 // On the axis, and about to leave it; a ray along the axis stays in the column that it is in.
-bool isOnAxis(vec3 p, vec3 d) {
+bool isOnAxis(const vec3 p, const vec3 d) {
     return max(abs(p.x), abs(p.z)) < kOnAxis && max(abs(d.x), abs(d.z)) > kAlongAxis;
 }
 
 // Sine and cosine of an edge as turnPair wants them: leading 12 bits, and rest.
-vec4 splitEdge(vec4 edge) {
+vec4 splitEdge(const vec4 edge) {
     real sine = leadingBits(edge.x);
     real cosine = leadingBits(edge.y);
     precise real sine_rest = (edge.x - sine) + edge.z;
@@ -46,7 +46,7 @@ struct View {
 };
 
 // west, north: of splitEdge.
-View viewFrom(vec4 west, vec4 north, Pair base, Pair x, Pair y, Pair z) {
+View viewFrom(const vec4 west, const vec4 north, const Pair base, const Pair x, const Pair y, const Pair z) {
     View view;
     Turned around = turnPair(x, z, west);
     real along = around.second.hi + around.second.lo;
@@ -70,7 +70,7 @@ View viewFrom(vec4 west, vec4 north, Pair base, Pair x, Pair y, Pair z) {
 
 // The frame of the cell that the ray is in at s, anchored near it. On the axis all columns meet, and the longitude jumps:
 // the column is then the one that the ray leaves to. Leaves often start there: cells of the cube map meet at the poles.
-Frame makeFrame(Ray ray, MapData map, Pair base, real s) {
+Frame makeFrame(const Ray ray, const MapData map, const Pair base, const real s) {
     Frame frame;
     Anchor anchor = anchorAt(ray, s);
     frame.anchor = anchor;
@@ -101,7 +101,7 @@ struct Local {
     real rho, grown;  // rho and |p| - radius of the anchor
 };
 
-Local localAt(Frame frame, real d_y, real sigma) {
+Local localAt(const Frame frame, const real d_y, const real sigma) {
     Local local;
     local.place = frame.place + sigma * frame.place_d;
     local.rho = length(local.place);
@@ -115,7 +115,7 @@ Local localAt(Frame frame, real d_y, real sigma) {
 }
 
 // Clamped to the cell, which continues the surface by a constant where rounding puts a crossing beside an edge.
-PatchPoint patchPoint(MapData map, Patch quad, Frame frame, Local local) {
+PatchPoint patchPoint(const MapData map, const Patch quad, const Frame frame, const Local local) {
     real tan_u = clamp(local.place.x / max(local.place.y, kTiny), real(0), real(map.tan_width));
     real tan_v = clamp(local.slant.x / max(local.slant.y, kTiny), real(0), real(map.tan_height));
     PatchPoint at;
@@ -127,7 +127,7 @@ PatchPoint patchPoint(MapData map, Patch quad, Frame frame, Local local) {
 }
 
 // Steps over the east (or west) edge.
-void turnEast(INOUT(Frame) frame, MapData map, bool east) {
+void turnEast(INOUT(Frame) frame, const MapData map, const bool east) {
     real sine = east ? real(map.sin_width) : -real(map.sin_width);
     frame.place = turnSmall(frame.place, sine, real(map.versin_width));
     frame.place_d = turnSmall(frame.place_d, sine, real(map.versin_width));
@@ -135,19 +135,19 @@ void turnEast(INOUT(Frame) frame, MapData map, bool east) {
 }
 
 // Whether the ray at sigma stands behind the edge that it comes from, going east (or west).
-bool behindColumn(Frame frame, MapData map, bool east, real sigma) {
+bool behindColumn(const Frame frame, const MapData map, const bool east, const real sigma) {
     vec2 place = frame.place + sigma * frame.place_d;
     return east ? place.x < real(0) : turnSmall(place, real(map.sin_width), real(map.versin_width)).x > real(0);
 }
 
 // Sine and versine of the height of a row of cells.
-vec2 rowTurn(MapData map, int row) {
+vec2 rowTurn(const MapData map, const int row) {
     bool pole = isPoleRow(map, row);
     return vec2(pole ? real(map.sin_cap) : real(map.sin_height), pole ? real(map.versin_cap) : real(map.versin_height));
 }
 
 // Steps over the south (or north) edge; the edge's own angle grows by the height of the row between.
-void turnSouth(INOUT(Frame) frame, MapData map, bool south) {
+void turnSouth(INOUT(Frame) frame, const MapData map, const bool south) {
     vec2 turn = rowTurn(map, south ? frame.cell.y : frame.cell.y - 1);
     real sine = south ? turn.x : -turn.x;
     frame.slant = turnSmall(frame.slant, sine, turn.y);
@@ -158,7 +158,8 @@ void turnSouth(INOUT(Frame) frame, MapData map, bool south) {
 
 // The cell was found from rounded coordinates: near the axis that can be columns off, and elsewhere a row, beyond an edge
 // that the ray then never comes to. Steps back to the cell that the frame's own coordinates say.
-void settleCell(INOUT(Frame) frame, MapData map, bool east, bool on_axis, real d_y, real sigma) {
+void settleCell(INOUT(Frame) frame, const MapData map, const bool east, const bool on_axis, const real d_y,
+                const real sigma) {
     int left = on_axis ? 0 : map.width;
     while (left > 0 && behindColumn(frame, map, east, sigma)) {
         turnEast(frame, map, !east);

@@ -1,14 +1,6 @@
 // Samples of lights, and what is seen of them: docs/light.md. Expects kLightKinds (a bit per LIGHT_ of the scene) and the
 // tables. Densities are per solid angle.
 
-bool sceneHasLight(int kind) {
-    return (kLightKinds & (1 << kind)) != 0;
-}
-
-bool isLight(LightData light, int kind) {
-    return kLightKinds == 1 << kind || (sceneHasLight(kind) && light.kind == kind);
-}
-
 const int kInfiniteKinds = 1 << LIGHT_INFINITE | 1 << LIGHT_IMAGE;
 const int kAreaKinds = 1 << LIGHT_SPHERE | 1 << LIGHT_DISK;
 
@@ -17,7 +9,7 @@ bool sceneHasMetLights() {
     return (kLightKinds & (kInfiniteKinds | kAreaKinds)) != 0;
 }
 
-bool isInfinite(LightData light) {
+bool isInfinite(const LightData light) {
     return isLight(light, LIGHT_INFINITE) || isLight(light, LIGHT_IMAGE);
 }
 
@@ -35,7 +27,7 @@ struct Cone {
     float distance, versin;  // versin: 1 - cos of its half angle; 0 from inside
 };
 
-Cone coneOf(LightData light, vec3 from_first) {
+Cone coneOf(const LightData light, const vec3 from_first) {
     vec3 towards = light.position.xyz - from_first;
     Cone cone;
     cone.distance = length(towards);
@@ -45,7 +37,7 @@ Cone coneOf(LightData light, vec3 from_first) {
     return cone;
 }
 
-LightSample sampleSphere(LightData light, vec3 from_first, vec2 u) {
+LightSample sampleSphere(const LightData light, const vec3 from_first, const vec2 u) {
     Cone cone = coneOf(light, from_first);
     float versin = u.x * cone.versin;
     float sine2 = versin * (2.0 - versin);
@@ -63,14 +55,14 @@ LightSample sampleSphere(LightData light, vec3 from_first, vec2 u) {
 }
 
 // Squared distance over the cosine at the disk and its area; 0 where it does not shine.
-float diskDensity(LightData light, vec3 towards) {
+float diskDensity(const LightData light, const vec3 towards) {
     float square = dot(towards, towards);
     float cosine = -dot(light.z_axis.xyz, towards) * inversesqrt(square);
     cosine = light.two_sided != 0 ? abs(cosine) : cosine;
     return cosine > 0.0 ? square / (cosine * light.measure) : 0.0;
 }
 
-LightSample sampleDisk(LightData light, vec3 from_first, vec2 u) {
+LightSample sampleDisk(const LightData light, const vec3 from_first, const vec2 u) {
     float radius = sqrt(mix(light.inner_squared, 1.0, u.x));
     float angle = 2.0 * kPi * u.y;
     LightSample result;
@@ -81,7 +73,7 @@ LightSample sampleDisk(LightData light, vec3 from_first, vec2 u) {
     return result;
 }
 
-LightSample sampleInfinite(LightData light, vec3 normal, vec2 u) {
+LightSample sampleInfinite(const LightData light, const vec3 normal, const vec2 u) {
     vec3 local = cosineDirection(u);
     LightSample result;
     result.ends = false;
@@ -92,7 +84,7 @@ LightSample sampleInfinite(LightData light, vec3 normal, vec2 u) {
 }
 
 // The last of `count` cells whose distribution starts at u or below it.
-int findCell(int first, int count, float u) {
+int findCell(const int first, const int count, const float u) {
     int low = 0;
     int high = count;
     for (int step = 0; step < 16 && high - low > 1; ++step) {
@@ -105,20 +97,20 @@ int findCell(int first, int count, float u) {
 }
 
 // Where u lies within that cell.
-float withinCell(int first, int cell, float u) {
+float withinCell(const int first, const int cell, const float u) {
     float start = tables[first + cell];
     float width = tables[first + cell + 1] - start;
     return width > 0.0 ? (u - start) / width : 0.5;
 }
 
-vec3 environmentTexel(LightData light, int column, int row) {
+vec3 environmentTexel(const LightData light, const int column, const int row) {
     int y = clamp(row, 0, light.height - 1);
     int x = column < 0 ? column + light.width : (column >= light.width ? column - light.width : column);
     return placedTexel(light.image, x, light.image_y + y, light.image_layer, light.height);
 }
 
 // `place`: turns from the image's left edge, share of its height from the top.
-vec3 environmentAt(LightData light, vec2 place) {
+vec3 environmentAt(const LightData light, const vec2 place) {
     vec2 texel = place * vec2(light.width, light.height) - 0.5;
     vec2 corner = floor(texel);
     vec2 t = texel - corner;
@@ -130,13 +122,13 @@ vec3 environmentAt(LightData light, vec2 place) {
 }
 
 // `sine` of the angle from the image's pole.
-float environmentDensity(LightData light, ivec2 texel, float sine) {
+float environmentDensity(const LightData light, const ivec2 texel, const float sine) {
     // Not a difference of rounded sums: those of faint texels would have few bits left.
     int densities = light.table + light.height + 1 + light.height * (light.width + 1);
     return tables[densities + texel.y * light.width + texel.x] / (2.0 * kPi * kPi * max(sine, 1e-7));
 }
 
-LightSample sampleEnvironment(LightData light, vec2 u) {
+LightSample sampleEnvironment(const LightData light, const vec2 u) {
     ivec2 texel;
     texel.y = findCell(light.table, light.height, u.y);
     int row_table = light.table + light.height + 1 + texel.y * (light.width + 1);
@@ -155,7 +147,7 @@ LightSample sampleEnvironment(LightData light, vec2 u) {
     return result;
 }
 
-LightSample sampleDelta(LightData light, vec3 from_first) {
+LightSample sampleDelta(const LightData light, const vec3 from_first) {
     LightSample result;
     result.place = light.position.xyz;
     result.ends = isLight(light, LIGHT_POINT);
@@ -165,7 +157,7 @@ LightSample sampleDelta(LightData light, vec3 from_first) {
     return result;
 }
 
-LightSample sampleLight(LightData light, vec3 from_first, vec3 normal, vec2 u) {
+LightSample sampleLight(const LightData light, const vec3 from_first, const vec3 normal, const vec2 u) {
     if (isLight(light, LIGHT_SPHERE)) return sampleSphere(light, from_first, u);
     if (isLight(light, LIGHT_DISK)) return sampleDisk(light, from_first, u);
     if (isLight(light, LIGHT_INFINITE)) return sampleInfinite(light, normal, u);
@@ -179,7 +171,7 @@ struct Emission {
     float density;
 };
 
-Emission infiniteEmission(LightData light, vec3 normal, vec3 direction) {
+Emission infiniteEmission(const LightData light, const vec3 normal, const vec3 direction) {
     Emission result;
     if (isLight(light, LIGHT_INFINITE)) {
         result.radiance = light.radiance.rgb;
@@ -197,7 +189,7 @@ Emission infiniteEmission(LightData light, vec3 normal, vec3 direction) {
 }
 
 // Of the light's own surface, met in that direction `towards` from `from_first`; nothing from its dark side.
-Emission surfaceEmission(LightData light, vec3 from_first, vec3 towards, vec3 normal) {
+Emission surfaceEmission(const LightData light, const vec3 from_first, const vec3 towards, const vec3 normal) {
     Emission result;
     result.radiance = vec3(0.0);
     result.density = 0.0;

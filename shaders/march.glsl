@@ -10,11 +10,11 @@ struct FaceRay {
     bool a_grows, b_grows;
 };
 
-real component(vec3 v, int axis) {
+real component(const vec3 v, const int axis) {
     return axis == 0 ? v.x : (axis == 1 ? v.y : v.z);
 }
 
-FaceRay faceRay(Ray ray, int axis, real sign_of_face) {
+FaceRay faceRay(const Ray ray, const int axis, const real sign_of_face) {
     int axis_a = axis == 2 ? 0 : axis + 1;
     int axis_b = axis == 0 ? 2 : axis - 1;
     FaceRay face;
@@ -34,7 +34,8 @@ FaceRay faceRay(Ray ray, int axis, real sign_of_face) {
 // Where the line reaches face coordinate `edge` ahead of it, never before s; kInfinity if it never does: exactly when
 // the denominator has the sign against the direction of travel. (Here and below choices are spelled out: min and max
 // would cost a test for NaN more.)
-real edgeCrossing(real edge, real c_along, real d_along, real cm, real dm, bool grows, real s) {
+real edgeCrossing(const real edge, const real c_along, const real d_along, const real cm, const real dm,
+                  const bool grows, const real s) {
     real rate = d_along - edge * dm;
     bool reached = grows ? rate > real(0) : rate < real(0);
     real crossing = (edge * cm - c_along) / rate;
@@ -49,19 +50,19 @@ struct Cursor {
     bool leaf, turned, across_a;  // turned: the face was left, over an edge of its first coordinate or its second
 };
 
-void chooseFace(INOUT(Cursor) at, vec3 p) {
+void chooseFace(INOUT(Cursor) at, const vec3 p) {
     vec3 size = abs(p);
     at.axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
     at.sign_of_face = component(p, at.axis) < real(0) ? real(-1) : real(1);
 }
 
-int cellIndex(real along, real major, int side) {
+int cellIndex(const real along, const real major, const int side) {
     real coordinate = along / max(major, real(1e-20));
     return clamp(int((coordinate * real(0.5) + real(0.5)) * real(side)), 0, side - 1);
 }
 
 // The cell of the cursor's level that holds the ray at s.
-void findCell(INOUT(Cursor) at, FaceRay face) {
+void findCell(INOUT(Cursor) at, const FaceRay face) {
     real major = face.cm + at.s * face.dm;
     at.i = cellIndex(face.ca + at.s * face.da, major, at.side);
     at.j = cellIndex(face.cb + at.s * face.db, major, at.side);
@@ -69,7 +70,7 @@ void findCell(INOUT(Cursor) at, FaceRay face) {
 }
 
 // Over the edge of a face to its neighbour.
-void turnFace(INOUT(Cursor) at, INOUT(FaceRay) face, Ray ray) {
+void turnFace(INOUT(Cursor) at, INOUT(FaceRay) face, const Ray ray) {
     int next = at.axis == 2 ? 0 : at.axis + 1;
     int previous = at.axis == 0 ? 2 : at.axis - 1;
     at.axis = at.across_a ? next : previous;
@@ -79,7 +80,8 @@ void turnFace(INOUT(Cursor) at, INOUT(FaceRay) face, Ray ray) {
 }
 
 // One step: descend below a bound that the ray dips under, or leave the cell.
-void traverseStep(INOUT(Cursor) at, FaceRay face, int face_row, Ray ray, MapData map, real s_end) {
+void traverseStep(INOUT(Cursor) at, const FaceRay face, const int face_row, const Ray ray, const MapData map,
+                  const real s_end) {
     real edge_a = real(face.a_grows ? at.i + 1 : at.i) * at.width - real(1);
     real edge_b = real(face.b_grows ? at.j + 1 : at.j) * at.width - real(1);
     real s_a = edgeCrossing(edge_a, face.ca, face.da, face.cm, face.dm, face.a_grows, at.s);
@@ -120,7 +122,8 @@ void traverseStep(INOUT(Cursor) at, FaceRay face, int face_row, Ray ray, MapData
 
 // Puts the cursor where the ray enters the shell; false if it never does, or is NaN. s_end: where the ray leaves it. The
 // levels above the starting one would only be descended through; a ray that skims the ground climbs to them by itself.
-bool startCursor(INOUT(Cursor) at, INOUT(FaceRay) face, Ray ray, MapData map, real shell_squared, INOUT(real) s_end) {
+bool startCursor(INOUT(Cursor) at, INOUT(FaceRay) face, const Ray ray, const MapData map, const real shell_squared,
+                 INOUT(real) s_end) {
     real margin = shell_squared - ray.c2;
     real half_chord = sqrt(max(margin, real(0)));
     s_end = min(ray.s_max, half_chord);
@@ -137,7 +140,7 @@ bool startCursor(INOUT(Cursor) at, INOUT(FaceRay) face, Ray ray, MapData map, re
 }
 
 // Searches the whole ray; walk.hit, .inside, .frame and .sigma tell the answer, to be refined.
-Walk march(Ray ray, MapData map, Pair base, real scale, real shell_squared) {
+Walk march(const Ray ray, const MapData map, const Pair base, const real scale, const real shell_squared) {
     Walk walk;
     walk.hit = false;
     walk.inside = false;

@@ -3,11 +3,11 @@
 
 const float kPlasticIndex = 1.5;
 
-bool sceneHasMaterial(int kind) {
+bool sceneHasMaterial(const int kind) {
     return (kMaterials & (1 << kind)) != 0;
 }
 
-bool isMaterial(MaterialData material, int kind) {
+bool isMaterial(const MaterialData material, const int kind) {
     return kMaterials == 1 << kind || (sceneHasMaterial(kind) && material.kind == kind);
 }
 
@@ -19,7 +19,7 @@ struct Scattering {
 
 // 1 - E: the light that facets of F = 1 do not reflect at once. Cubic (Catmull and Rom) between values at the squares of
 // equal steps, the first of them beyond 0.
-float facetLoss(MaterialData material, float cosine) {
+float facetLoss(const MaterialData material, const float cosine) {
     float place = sqrt(clamp(cosine, 0.0, 1.0)) * float(LOSS_INTERVALS);
     int i = min(int(place), LOSS_INTERVALS - 1);
     float t = place - float(i);
@@ -32,7 +32,7 @@ float facetLoss(MaterialData material, float cosine) {
 }
 
 // Oren and Nayar's factor of Lambert's law.
-float roughFactor(MaterialData material, vec3 view, vec3 light) {
+float roughFactor(const MaterialData material, const vec3 view, const vec3 light) {
     if (view.z <= 0.0) return material.rough_a;
     float sine_view = length(view.xy);
     float sine_light = length(light.xy);
@@ -42,7 +42,7 @@ float roughFactor(MaterialData material, vec3 view, vec3 light) {
     return material.rough_a + material.rough_b * cosine * product / max(view.z, light.z);
 }
 
-Scattering diffuseScattering(vec3 colour, float factor, vec3 light) {
+Scattering diffuseScattering(const vec3 colour, const float factor, const vec3 light) {
     Scattering result;
     result.value = colour * (factor * light.z / kPi);
     result.density = light.z / kPi;
@@ -50,13 +50,13 @@ Scattering diffuseScattering(vec3 colour, float factor, vec3 light) {
 }
 
 // The share of samples that go by the facets. A viewer below the horizon of a smooth normal sees none.
-float facetShare(MaterialData material, vec3 view) {
+float facetShare(const MaterialData material, const vec3 view) {
     if (view.z <= 0.0) return 0.0;
     return isMaterial(material, MATERIAL_CONDUCTOR) ? 1.0 - facetLoss(material, view.z) : 0.5;
 }
 
 // Facets above a diffuse rest: a conductor's is the light that bounces between them, a plastic's its colour.
-Scattering facetScattering(MaterialData material, vec3 colour, vec3 view, vec3 light) {
+Scattering facetScattering(const MaterialData material, const vec3 colour, const vec3 view, const vec3 light) {
     vec3 h = normalize(view + light);
     float facing = clamp(dot(light, h), 0.0, 1.0);
     float share = facetShare(material, view);
@@ -76,7 +76,7 @@ Scattering facetScattering(MaterialData material, vec3 colour, vec3 view, vec3 l
 }
 
 // Nothing of a mirror, which no sample of a light meets.
-Scattering scatter(MaterialData material, vec3 colour, vec3 view, vec3 light) {
+Scattering scatter(const MaterialData material, const vec3 colour, const vec3 view, const vec3 light) {
     Scattering result;
     result.value = vec3(0.0);
     result.density = 0.0;
@@ -88,7 +88,7 @@ Scattering scatter(MaterialData material, vec3 colour, vec3 view, vec3 light) {
 }
 
 // A direction to go on in; below the surface where a facet reflects into it. `lobe` chooses facets or cosine.
-vec3 sampleMaterial(MaterialData material, vec3 view, vec2 u, float lobe) {
+vec3 sampleMaterial(const MaterialData material, const vec3 view, const vec2 u, const float lobe) {
     if (isMaterial(material, MATERIAL_MIRROR)) return vec3(-view.xy, view.z);
     if (isMaterial(material, MATERIAL_MATTE) || lobe >= facetShare(material, view)) return cosineDirection(u);
     return reflect(-view, visibleFacet(view, material.alpha, u));

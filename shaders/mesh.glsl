@@ -7,7 +7,7 @@ struct Shear {
     real by_x, by_y, by_z;
 };
 
-Shear shearOf(vec3 d) {
+Shear shearOf(const vec3 d) {
     vec3 size = abs(d);
     Shear shear;
     shear.z = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
@@ -19,13 +19,13 @@ Shear shearOf(vec3 d) {
     return shear;
 }
 
-vec3 sheared(Shear shear, vec3 p) {
+vec3 sheared(const Shear shear, const vec3 p) {
     precise vec3 q = vec3(component(p, shear.x) - shear.by_x * component(p, shear.z),
                           component(p, shear.y) - shear.by_y * component(p, shear.z), shear.by_z * component(p, shear.z));
     return q;
 }
 
-real edgeFunction(vec3 from, vec3 to) {
+real edgeFunction(const vec3 from, const vec3 to) {
     precise real left = from.x * to.y;
     precise real right = from.y * to.x;
     precise real value = left - right;
@@ -38,7 +38,7 @@ struct TriangleHit {
     vec3 weights;
 };
 
-TriangleHit meetTriangle(TriangleData triangle, Shear shear, Ray ray) {
+TriangleHit meetTriangle(const TriangleData triangle, const Shear shear, const Ray ray) {
     TriangleHit hit;
     vec3 a = sheared(shear, vec3(triangle.a) - ray.c);
     vec3 b = sheared(shear, vec3(triangle.b) - ray.c);
@@ -52,11 +52,11 @@ TriangleHit meetTriangle(TriangleData triangle, Shear shear, Ray ray) {
     return hit;
 }
 
-vec3 weighted(vec3 weights, vec3 a, vec3 b, vec3 c) {
+vec3 weighted(const vec3 weights, const vec3 a, const vec3 b, const vec3 c) {
     return weights.x * a + weights.y * b + weights.z * c;
 }
 
-ObjectHit hitMesh(ObjectData object, Ray ray) {
+ObjectHit hitMesh(const ObjectData object, const Ray ray) {
     ObjectHit hit = noHit();
     real nearest = ray.s_max;
     Shear shear = shearOf(ray.d);

@@ -1,29 +1,29 @@
 // GGX facets (Walter et al. 2007) with the height-correlated shadowing of Smith (Heitz 2014), in the basis of the normal.
 // `alpha` is the roughness. Sines are kept, not differences of squared cosines from 1: facets of alpha 0.001 need them.
 
-float facetDensity(vec3 h, float alpha) {
+float facetDensity(const vec3 h, const float alpha) {
     float alpha2 = alpha * alpha;
     float stretched = alpha2 * h.z * h.z + dot(h.xy, h.xy);
     return alpha2 / (kPi * stretched * stretched);
 }
 
 // Smith's Lambda.
-float hidden(vec3 v, float alpha) {
+float hidden(const vec3 v, const float alpha) {
     return 0.5 * (sqrt(1.0 + alpha * alpha * dot(v.xy, v.xy) / (v.z * v.z)) - 1.0);
 }
 
 // D G / (4 c_v): times the Fresnel term, what facets reflect from `light` to `view`, times the cosine of `light`.
-float facetReflection(vec3 view, vec3 light, vec3 h, float alpha) {
+float facetReflection(const vec3 view, const vec3 light, const vec3 h, const float alpha) {
     return facetDensity(h, alpha) / (4.0 * view.z * (1.0 + hidden(view, alpha) + hidden(light, alpha)));
 }
 
 // Density of reflections from the facets that `view` sees.
-float visibleFacetDensity(vec3 view, vec3 h, float alpha) {
+float visibleFacetDensity(const vec3 view, const vec3 h, const float alpha) {
     return facetDensity(h, alpha) / (4.0 * view.z * (1.0 + hidden(view, alpha)));
 }
 
 // A facet that `view` sees (Heitz 2018, "Sampling the GGX Distribution of Visible Normals").
-vec3 visibleFacet(vec3 view, float alpha, vec2 u) {
+vec3 visibleFacet(const vec3 view, const float alpha, const vec2 u) {
     vec3 v = normalize(vec3(alpha * view.xy, view.z));
     float across = dot(v.xy, v.xy);
     vec3 x = across > 0.0 ? vec3(-v.y, v.x, 0.0) * inversesqrt(across) : vec3(1.0, 0.0, 0.0);
@@ -38,7 +38,7 @@ vec3 visibleFacet(vec3 view, float alpha, vec2 u) {
 }
 
 // Fresnel's reflectance of a metal in air, for unpolarised light.
-vec3 conductorFresnel(float cosine, vec3 eta, vec3 k) {
+vec3 conductorFresnel(const float cosine, const vec3 eta, const vec3 k) {
     float c2 = cosine * cosine;
     float s2 = 1.0 - c2;
     vec3 eta2 = eta * eta;
@@ -55,7 +55,7 @@ vec3 conductorFresnel(float cosine, vec3 eta, vec3 k) {
 }
 
 // The same of a dielectric of that index.
-float dielectricFresnel(float cosine, float index) {
+float dielectricFresnel(const float cosine, const float index) {
     float inner = sqrt(1.0 - (1.0 - cosine * cosine) / (index * index));
     float across = (cosine - index * inner) / (cosine + index * inner);
     float along = (index * cosine - inner) / (index * cosine + inner);

@@ -14,7 +14,7 @@ struct NaivePlace {
     PatchPoint at;  // g = |p| - r
 };
 
-NaivePlace naivePlace(ObjectData object, MapData map, vec3 p) {
+NaivePlace naivePlace(const ObjectData object, const MapData map, const vec3 p) {
     NaivePlace place;
     place.cell = locateCell(map, p);
     real column = atan2Precise(p.x, p.z) * (real(0.5) / kPi) * real(map.columns_per_turn) - real(map.first_column);
@@ -28,16 +28,16 @@ NaivePlace naivePlace(ObjectData object, MapData map, vec3 p) {
     return place;
 }
 
-real naiveDistance(ObjectData object, MapData map, vec3 p) {
+real naiveDistance(const ObjectData object, const MapData map, const vec3 p) {
     return naivePlace(object, map, p).at.g;
 }
 
-vec3 naiveSurface(ObjectData object, MapData map, vec3 direction) {
+vec3 naiveSurface(const ObjectData object, const MapData map, const vec3 direction) {
     vec3 w = normalize(direction);
     return w * (real(1) - naiveDistance(object, map, w));
 }
 
-vec3 naiveNormal(ObjectData object, MapData map, vec3 p) {
+vec3 naiveNormal(const ObjectData object, const MapData map, const vec3 p) {
     vec3 w = normalize(p);
     vec3 east = normalize(vec3(w.z, real(0), -w.x) + vec3(real(1e-20), real(0), real(0)));
     vec3 south = cross(east, w);
@@ -48,7 +48,7 @@ vec3 naiveNormal(ObjectData object, MapData map, vec3 p) {
     return dot(n, w) < real(0) ? -n : n;
 }
 
-ObjectHit hitNaive(ObjectData object, MapData map, Ray ray) {
+ObjectHit hitNaive(const ObjectData object, const MapData map, const Ray ray) {
     ObjectHit hit = noHit();
     vec3 origin = ray.c + ray.s_min * ray.d;
     real give_up = length(origin) + real(1e-3);
@@ -75,7 +75,7 @@ ObjectHit hitNaive(ObjectData object, MapData map, Ray ray) {
 
 // Outside the surface f = |p| - r changes by at most 1 / kStride per unit of length, so no step of kStride f passes a
 // root. From shell to shell, along c + s d, whose positions stay exact at any distance of the camera.
-ObjectHit hitLipschitz(ObjectData object, MapData map, Ray ray) {
+ObjectHit hitLipschitz(const ObjectData object, const MapData map, const Ray ray) {
     ObjectHit hit = noHit();
     real margin = real(object.shell_squared) - ray.c2;
     if (margin <= real(0)) return hit;
@@ -98,7 +98,7 @@ ObjectHit hitLipschitz(ObjectData object, MapData map, Ray ray) {
     return hit;
 }
 
-ObjectHit hitBaseline(ObjectData object, MapData map, Ray ray) {
+ObjectHit hitBaseline(const ObjectData object, const MapData map, const Ray ray) {
     ObjectHit hit;
     if (kMarcher == MARCHER_LIPSCHITZ) hit = hitLipschitz(object, map, ray);
     if (kMarcher != MARCHER_LIPSCHITZ) hit = hitNaive(object, map, ray);
@@ -111,6 +111,6 @@ ObjectHit hitBaseline(ObjectData object, MapData map, Ray ray) {
 
 // Of secondary rays above the hit. Moving by e along the normal raises f by e at least: a baseline's start must stand
 // above its own threshold, or all would lie in shadow.
-real startOffset(ObjectData object) {
+real startOffset(const ObjectData object) {
     return kMarcher == MARCHER_EXACT ? real(object.offset) : max(real(object.offset), real(2) * real(kThreshold));
 }

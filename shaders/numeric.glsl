@@ -7,7 +7,7 @@ const real kInfinity = real(1e30);
 const real kTiny = real(1e-30);
 
 // Arc tangent of |q| <= 0.42 (one reduction step below pi/8), Cephes atanf: 2 ulp in float.
-real atanReduced(real q) {
+real atanReduced(const real q) {
     real z = q * q;
     real poly = ((real(8.05374449538e-2) * z - real(1.38776856032e-1)) * z + real(1.99777106478e-1)) * z -
                 real(3.33329491539e-1);
@@ -15,13 +15,13 @@ real atanReduced(real q) {
 }
 
 // Arc tangent within one cell: cells are at most 2 pi / 512 wide, so q^7 / 7 is below a float's rounding.
-real atanSmall(real q) {
+real atanSmall(const real q) {
     real z = q * q;
     return q * (real(1) - z * (real(1.0 / 3.0) - real(0.2) * z));
 }
 
 // Angle of (x, y) in (-pi, pi]; 0 for (0, 0). Octant reduction, then one more at tan(pi/8).
-real atan2Precise(real y, real x) {
+real atan2Precise(const real y, const real x) {
     real ax = abs(x);
     real ay = abs(y);
     real big = max(ax, ay);
@@ -37,7 +37,7 @@ real atan2Precise(real y, real x) {
 }
 
 // First positive root of g0 + b t + a t^2 where g0 >= 0, free of cancellation; the caller knows that one exists.
-real firstRoot(real g0, real b, real a) {
+real firstRoot(const real g0, const real b, const real a) {
     real root = sqrt(max(b * b - real(4) * a * g0, real(0)));
     return b <= real(0) ? real(2) * g0 / max(root - b, kTiny) : (b + root) / max(real(-2) * a, kTiny);
 }
@@ -47,7 +47,7 @@ struct Pair {
     real hi, lo;
 };
 
-Pair makePair(real hi, real lo) {
+Pair makePair(const real hi, const real lo) {
     Pair pair;
     pair.hi = hi;
     pair.lo = lo;
@@ -55,7 +55,7 @@ Pair makePair(real hi, real lo) {
 }
 
 // hi + lo = a + b exactly (Knuth's two-sum), plus rest.
-Pair exactSum(real a, real b, real rest) {
+Pair exactSum(const real a, const real b, const real rest) {
     precise real sum = a + b;
     precise real b_part = sum - a;
     precise real error = (a - (sum - b_part)) + (b - b_part);
@@ -63,12 +63,12 @@ Pair exactSum(real a, real b, real rest) {
 }
 
 // The same value with hi the nearest real to it.
-Pair rounded(Pair pair) {
+Pair rounded(const Pair pair) {
     return exactSum(pair.hi, pair.lo, real(0));
 }
 
 // base + x step_x + y step_y for whole numbers x and y below 2^12, whose products with the steps' hi (12 bits) are exact.
-Pair pairLinear(Pair base, real x, Pair step_x, real y, Pair step_y) {
+Pair pairLinear(const Pair base, const real x, const Pair step_x, const real y, const Pair step_y) {
     precise real x_part = x * step_x.hi;
     precise real y_part = y * step_y.hi;
     Pair sum = exactSum(base.hi, x_part, base.lo);
@@ -84,7 +84,7 @@ struct Turned {
     Pair second;
 };
 
-Turned turnPair(Pair a, Pair b, vec4 e) {
+Turned turnPair(const Pair a, const Pair b, const vec4 e) {
     real a1 = leadingBits(a.hi);
     real b1 = leadingBits(b.hi);
     precise real a2 = (a.hi - a1) + a.lo;
@@ -105,6 +105,6 @@ Turned turnPair(Pair a, Pair b, vec4 e) {
 }
 
 // (x, y) turned by a small angle given as sine and versine (1 - cosine): no rounding of the cosine piles up.
-vec2 turnSmall(vec2 p, real sine, real versine) {
+vec2 turnSmall(const vec2 p, const real sine, const real versine) {
     return vec2(p.x - (p.x * versine + p.y * sine), p.y + (p.x * sine - p.y * versine));
 }

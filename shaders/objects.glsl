@@ -7,8 +7,8 @@
 
 // x and y count pixels from the object's anchor, to the pixel's centre; the jitter of a sample within the pixel needs no
 // more than a float's bits, and the filter as a whole none.
-Pair cameraValue(real base, real base_lo, real step_x, real step_x_lo, real step_y, real step_y_lo, vec2 pixel,
-                 vec2 jitter) {
+Pair cameraValue(const real base, const real base_lo, const real step_x, const real step_x_lo, const real step_y,
+                 const real step_y_lo, const vec2 pixel, const vec2 jitter) {
 #if MARCH_WITH == MARCH_FILTER || MARCH_WITH == MARCH_BASELINE
     vec2 place = pixel + jitter;
     return makePair(base + (place.x * (step_x + step_x_lo) + (place.y * (step_y + step_y_lo) + base_lo)), real(0));
@@ -19,7 +19,7 @@ Pair cameraValue(real base, real base_lo, real step_x, real step_x_lo, real step
 #endif
 }
 
-Ray cameraRay(ObjectData o, vec2 pixel, vec2 jitter) {
+Ray cameraRay(const ObjectData o, const vec2 pixel, const vec2 jitter) {
     Line line;
     line.x = cameraValue(o.point_0.x, o.point_0_lo.x, o.point_x.x, o.point_x_lo.x, o.point_y.x, o.point_y_lo.x, pixel,
                          jitter);
@@ -37,7 +37,7 @@ Ray cameraRay(ObjectData o, vec2 pixel, vec2 jitter) {
 }
 
 // From p towards p + offset, which ends it if `ends`.
-Ray secondaryRay(vec3 p, vec3 offset, bool ends) {
+Ray secondaryRay(const vec3 p, const vec3 offset, const bool ends) {
     Line line;
     line.x = makePair(p.x, real(0));
     line.y = makePair(p.y, real(0));
@@ -48,44 +48,44 @@ Ray secondaryRay(vec3 p, vec3 offset, bool ends) {
     return makeRay(line, real(0), ends ? length(offset) : kInfinity, false);
 }
 
-vec3 rowsTimesPoint(vec4 x, vec4 y, vec4 z, vec3 p) {
+vec3 rowsTimesPoint(const vec4 x, const vec4 y, const vec4 z, const vec3 p) {
     return vec3(dot(vec3(x), p) + x.w, dot(vec3(y), p) + y.w, dot(vec3(z), p) + z.w);
 }
 
-vec3 rowsTimesVector(vec4 x, vec4 y, vec4 z, vec3 v) {
+vec3 rowsTimesVector(const vec4 x, const vec4 y, const vec4 z, const vec3 v) {
     return vec3(dot(vec3(x), v), dot(vec3(y), v), dot(vec3(z), v));
 }
 
-vec3 objectFromWorldPoint(ObjectData object, vec3 p) {
+vec3 objectFromWorldPoint(const ObjectData object, const vec3 p) {
     return rowsTimesPoint(vec4(object.to_object_x), vec4(object.to_object_y), vec4(object.to_object_z), p);
 }
 
-vec3 objectFromWorldVector(ObjectData object, vec3 v) {
+vec3 objectFromWorldVector(const ObjectData object, const vec3 v) {
     return rowsTimesVector(vec4(object.to_object_x), vec4(object.to_object_y), vec4(object.to_object_z), v);
 }
 
-vec3 worldFromObjectPoint(ObjectData object, vec3 p) {
+vec3 worldFromObjectPoint(const ObjectData object, const vec3 p) {
     return rowsTimesPoint(vec4(object.to_world_x), vec4(object.to_world_y), vec4(object.to_world_z), p);
 }
 
 // Normals go by the transpose of world -> object.
-vec3 worldNormal(ObjectData object, vec3 n) {
+vec3 worldNormal(const ObjectData object, const vec3 n) {
     return normalize(n.x * vec3(object.to_object_x) + n.y * vec3(object.to_object_y) + n.z * vec3(object.to_object_z));
 }
 
 // World vector from the object's centre.
-vec3 fromCentre(ObjectData object, vec3 p) {
+vec3 fromCentre(const ObjectData object, const vec3 p) {
     return rowsTimesVector(vec4(object.to_world_x), vec4(object.to_world_y), vec4(object.to_world_z), p);
 }
 
 // World vector from the ray's start: the hit is near the object's centre, whose offset from the start the host gave.
 // o + t d instead would cancel; a t from the ray parameter would carry three more roundings.
-vec3 fromRayStart(ObjectData object, vec3 p, vec2 pixel) {
+vec3 fromRayStart(const ObjectData object, const vec3 p, const vec2 pixel) {
     vec3 moved = pixel.x * vec3(object.start_x) + pixel.y * vec3(object.start_y);
     return fromCentre(object, p) + (vec3(object.from_start) - moved);
 }
 
-ObjectHit hitUnitSphere(Ray ray) {
+ObjectHit hitUnitSphere(const Ray ray) {
     ObjectHit hit = noHit();
     real margin = real(1) - ray.c2;
     real half_chord = sqrt(max(margin, real(0)));
@@ -100,7 +100,7 @@ ObjectHit hitUnitSphere(Ray ray) {
 }
 
 // Radius 1 in the plane z = base.
-ObjectHit hitRing(ObjectData object, Ray ray) {
+ObjectHit hitRing(const ObjectData object, const Ray ray) {
     ObjectHit hit = noHit();
     real s = (real(object.base) - ray.c.z) / ray.d.z;
     vec3 p = ray.c + s * ray.d;
@@ -112,11 +112,11 @@ ObjectHit hitRing(ObjectData object, Ray ray) {
     return hit;
 }
 
-Pair basePair(ObjectData object) {
+Pair basePair(const ObjectData object) {
     return makePair(real(object.base), real(object.base_lo));
 }
 
-void takeCrossing(INOUT(ObjectHit) hit, MapData map, Ray ray, Crossing crossing, ivec2 cell) {
+void takeCrossing(INOUT(ObjectHit) hit, const MapData map, const Ray ray, const Crossing crossing, const ivec2 cell) {
     hit.p = crossing.p;
     // At the very centre, where only a start inside can hit, no direction is outward.
     hit.n = dot(crossing.gradient, crossing.gradient) > real(0) ? normalize(crossing.gradient) : -ray.d;
@@ -127,7 +127,8 @@ void takeCrossing(INOUT(ObjectHit) hit, MapData map, Ray ray, Crossing crossing,
 
 #ifdef WITH_CURVED
 // The B-spline's normal at a hit of the bilinear surface, if the object asks for it.
-vec3 smoothNormal(ObjectData object, MapData map, Crossing crossing, ivec2 cell, vec3 normal) {
+vec3 smoothNormal(const ObjectData object, const MapData map, const Crossing crossing, const ivec2 cell,
+                  const vec3 normal) {
     if (!sceneHasSurface(SURFACE_SMOOTH_NORMALS) || map.smooth_normals == 0) return normal;
     Patch quad = splinePatch(map, real(object.scale), cell);
     vec3 gradient = patchGradient(map, quad, crossing.at, cell.y, crossing.p);
@@ -135,7 +136,7 @@ vec3 smoothNormal(ObjectData object, MapData map, Crossing crossing, ivec2 cell,
 }
 #endif
 
-ObjectHit hitDisplacedFiltered(ObjectData object, MapData map, Ray ray) {
+ObjectHit hitDisplacedFiltered(const ObjectData object, const MapData map, const Ray ray) {
     ObjectHit hit = noHit();
     Filtered answer = filterMarch(ray, map, real(object.base), real(object.scale), real(object.shell_squared));
     hit.hit = answer.hit;
@@ -152,7 +153,7 @@ ObjectHit hitDisplacedFiltered(ObjectData object, MapData map, Ray ray) {
     return hit;
 }
 
-ObjectHit hitDisplacedFully(ObjectData object, MapData map, Ray ray) {
+ObjectHit hitDisplacedFully(const ObjectData object, const MapData map, const Ray ray) {
     ObjectHit hit = noHit();
     Walk walk = march(ray, map, basePair(object), real(object.scale), real(object.shell_squared));
     hit.hit = walk.hit;
@@ -169,7 +170,7 @@ ObjectHit hitDisplacedFully(ObjectData object, MapData map, Ray ray) {
     return hit;
 }
 
-ObjectHit hitDisplaced(ObjectData object, MapData map, Ray ray) {
+ObjectHit hitDisplaced(const ObjectData object, const MapData map, const Ray ray) {
     ObjectHit hit = noHit();
     hit.doubtful = true;
 #if MARCH_WITH == MARCH_FILTER || MARCH_WITH == MARCH_BOTH
@@ -187,29 +188,33 @@ ObjectHit hitDisplaced(ObjectData object, MapData map, Ray ray) {
     return hit;
 }
 
-bool sceneHas(int kind) {
+bool sceneHas(const int kind) {
     return (kKinds & (1 << kind)) != 0;
+}
+
+bool isKind(const ObjectData object, const int kind) {
+    return sceneHas(kind) && (kKinds == 1 << kind || object.kind == kind);
 }
 
 #ifdef WITH_PATHS
 #include "mesh.glsl"
 #endif
 
-ObjectHit hitObject(ObjectData object, MapData map, Ray ray) {
+ObjectHit hitObject(const ObjectData object, const MapData map, const Ray ray) {
     ObjectHit hit = noHit();
-    if (sceneHas(KIND_DISPLACED) && object.kind == KIND_DISPLACED) hit = hitDisplaced(object, map, ray);
-    if (sceneHas(KIND_SPHERE) && object.kind == KIND_SPHERE) hit = hitUnitSphere(ray);
-    if (sceneHas(KIND_DISK) && object.kind == KIND_DISK) hit = hitRing(object, ray);
+    if (isKind(object, KIND_DISPLACED)) hit = hitDisplaced(object, map, ray);
+    if (isKind(object, KIND_SPHERE)) hit = hitUnitSphere(ray);
+    if (isKind(object, KIND_DISK)) hit = hitRing(object, ray);
 #ifdef WITH_PATHS
-    if (sceneHas(KIND_MESH) && object.kind == KIND_MESH) hit = hitMesh(object, ray);
+    if (isKind(object, KIND_MESH)) hit = hitMesh(object, ray);
 #endif
 #ifdef WITH_CURVED
-    if (object.kind != KIND_DISPLACED) hit.shading_n = hit.n;
+    if (!isKind(object, KIND_DISPLACED)) hit.shading_n = hit.n;
 #endif
     return hit;
 }
 
-bool displacedBlocks(ObjectData object, MapData map, Ray ray, INOUT(bool) doubtful) {
+bool displacedBlocks(const ObjectData object, const MapData map, const Ray ray, INOUT(bool) doubtful) {
 #if MARCH_WITH == MARCH_BASELINE
     return hitBaseline(object, map, ray).hit;
 #elif MARCH_WITH == MARCH_FULL
@@ -222,14 +227,13 @@ bool displacedBlocks(ObjectData object, MapData map, Ray ray, INOUT(bool) doubtf
 }
 
 // Any hit: no root is refined, no normal found. `doubtful` is set where another precision must decide.
-bool blocks(ObjectData object, MapData map, Ray ray, INOUT(bool) doubtful) {
+bool blocks(const ObjectData object, const MapData map, const Ray ray, INOUT(bool) doubtful) {
     bool blocked = false;
-    if (sceneHas(KIND_DISPLACED) && object.kind == KIND_DISPLACED)
-        blocked = displacedBlocks(object, map, ray, doubtful);
-    if (sceneHas(KIND_SPHERE) && object.kind == KIND_SPHERE) blocked = hitUnitSphere(ray).hit;
-    if (sceneHas(KIND_DISK) && object.kind == KIND_DISK) blocked = hitRing(object, ray).hit;
+    if (isKind(object, KIND_DISPLACED)) blocked = displacedBlocks(object, map, ray, doubtful);
+    if (isKind(object, KIND_SPHERE)) blocked = hitUnitSphere(ray).hit;
+    if (isKind(object, KIND_DISK)) blocked = hitRing(object, ray).hit;
 #ifdef WITH_PATHS
-    if (sceneHas(KIND_MESH) && object.kind == KIND_MESH) blocked = hitMesh(object, ray).hit;
+    if (isKind(object, KIND_MESH)) blocked = hitMesh(object, ray).hit;
 #endif
     return blocked;
 }

@@ -15,12 +15,12 @@ struct Numbers {
     int index;
 };
 
-vec2 numbersAt(Numbers numbers, int vertex, uint pair) {
+vec2 numbersAt(const Numbers numbers, const int vertex, const uint pair) {
     return samplePoint(numbers.key, numbers.index, uint(vertex) * kPairsPerVertex + pair);
 }
 
 // The place in the filter, about the pixel's centre.
-vec2 filterPlace(vec2 u) {
+vec2 filterPlace(const vec2 u) {
     if (kGaussian == 0) return vec2(kRadiusX, kRadiusY) * (2.0 * u - 1.0);
     vec2 place = u * float(FILTER_INTERVALS);
     ivec2 i = ivec2(place);
@@ -38,7 +38,7 @@ struct Vertex {
     vec3 view;    // in it, towards where the ray came from
 };
 
-Vertex makeVertex(SurfacePoint point, vec3 colour) {
+Vertex makeVertex(const SurfacePoint point, const vec3 colour) {
     Vertex vertex;
     vertex.point = point;
     vertex.material = materials[point.object];
@@ -51,7 +51,7 @@ Vertex makeVertex(SurfacePoint point, vec3 colour) {
 }
 
 // Nothing below the facet's own horizon.
-Scattering scatterTowards(Vertex vertex, vec3 direction) {
+Scattering scatterTowards(const Vertex vertex, const vec3 direction) {
     vec3 light = intoBasis(vertex.basis, direction);
     Scattering result = scatter(vertex.material, vertex.colour, vertex.view, light);
     float cosine = dot(vertex.point.normal, direction);
@@ -63,14 +63,14 @@ Scattering scatterTowards(Vertex vertex, vec3 direction) {
 }
 
 // Whether anything but the light itself stands between P' and the sample.
-bool isVisible(SurfacePoint point, LightData light, LightSample light_sample, inout bool doubtful) {
+bool isVisible(const SurfacePoint point, const LightData light, const LightSample light_sample, inout bool doubtful) {
     bool visible = true;
     for (int k = 0; k < kObjectCount && visible; ++k)
         if (k != light.object) visible = !shades(k, point, light_sample.place, light_sample.ends, doubtful);
     return visible;
 }
 
-float powerWeight(float own, float other) {
+float powerWeight(const float own, const float other) {
     return own * own / (own * own + other * other);
 }
 
@@ -82,7 +82,8 @@ struct Rules {
 };
 
 // Light k's share of what leaves the vertex, and whether its sample is `seen`. `chance`: of this light's being asked.
-vec3 lightThrough(Vertex vertex, int k, vec2 u, float chance, Rules rules, out bool seen, inout bool doubtful) {
+vec3 lightThrough(const Vertex vertex, const int k, const vec2 u, const float chance, const Rules rules, out bool seen,
+                  inout bool doubtful) {
     LightData light = lights[k];
     SurfacePoint point = vertex.point;
     LightSample light_sample = sampleLight(light, point.from_first, point.normal, u);
@@ -98,7 +99,7 @@ vec3 lightThrough(Vertex vertex, int k, vec2 u, float chance, Rules rules, out b
 }
 
 // The light drawn for a path's later vertices.
-int drawnLight(float u) {
+int drawnLight(const float u) {
     int k = 0;
     for (int i = 0; i + 1 < kLightCount; ++i) k = u >= lights[i].shares ? i + 1 : k;
     return k;
@@ -112,7 +113,7 @@ struct Departure {
 };
 
 // What the hit, or the distance, sends back along the path.
-vec3 emitted(SurfacePoint point, Segment segment, vec3 direction, Departure departure) {
+vec3 emitted(const SurfacePoint point, const Segment segment, const vec3 direction, const Departure departure) {
     vec3 sum = vec3(0.0);
     for (int k = 0; k < kLightCount; ++k) {
         LightData light = lights[k];
@@ -129,7 +130,7 @@ vec3 emitted(SurfacePoint point, Segment segment, vec3 direction, Departure depa
     return sum;
 }
 
-vec3 segmentDirection(Segment segment) {
+vec3 segmentDirection(const Segment segment) {
     if (!segment.camera) return segment.direction;
     ObjectData object = objects[0];
     Ray ray = cameraRay(object, segment.raster - vec2(object.anchor_x, object.anchor_y), segment.jitter);
@@ -144,7 +145,7 @@ struct Gathered {
     bool doubtful;
 };
 
-Gathered gather(Segment segment, Numbers numbers, Rules rules) {
+Gathered gather(Segment segment, const Numbers numbers, const Rules rules) {
     Gathered result;
     result.albedo = vec3(0.0);
     result.colour = vec3(0.0);

@@ -20,7 +20,7 @@ struct Ray {
 };
 
 // `before` is how far, in lengths of its direction, the ray starts before the line's point.
-Ray makeRay(Line line, real before, real s_max_from_start, bool may_start_inside) {
+Ray makeRay(const Line line, const real before, const real s_max_from_start, const bool may_start_inside) {
     Ray ray;
     ray.line = line;
     vec3 direction = vec3(line.dx.hi, line.dy.hi, line.dz.hi);
@@ -43,7 +43,7 @@ struct Anchor {
     real s;
 };
 
-Pair alongLine(Pair start, real steps, Pair direction) {
+Pair alongLine(const Pair start, const real steps, const Pair direction) {
     real lead = leadingBits(direction.hi);
     precise real rest = (direction.hi - lead) + direction.lo;
     precise real lead_part = steps * lead;
@@ -52,7 +52,7 @@ Pair alongLine(Pair start, real steps, Pair direction) {
 }
 
 // The steps are cut to 12 bits, so that their products with the direction's leading 12 bits are exact.
-Anchor anchorAt(Ray ray, real s) {
+Anchor anchorAt(const Ray ray, const real s) {
     real steps = leadingBits((s - ray.s_point) * ray.inverse_length);
     Anchor anchor;
     anchor.x = alongLine(ray.line.x, steps, ray.line.dx);
@@ -63,7 +63,7 @@ Anchor anchorAt(Ray ray, real s) {
 }
 
 // The point at `sigma` beyond an anchor, correctly rounded but for the direction's rounding times sigma.
-vec3 anchoredPoint(Anchor anchor, vec3 d, real sigma) {
+vec3 anchoredPoint(const Anchor anchor, const vec3 d, const real sigma) {
     precise real x = anchor.x.hi + (anchor.x.lo + sigma * d.x);
     precise real y = anchor.y.hi + (anchor.y.lo + sigma * d.y);
     precise real z = anchor.z.hi + (anchor.z.lo + sigma * d.z);

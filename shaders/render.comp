@@ -27,31 +27,31 @@ layout(std430, binding = BINDING_RETRY) buffer Retry {
 };
 layout(push_constant) uniform Params { RenderParams params; };
 
-bool wants(int plane) {
+bool wants(const int plane) {
     return (kPlanes & (1u << plane)) != 0u;
 }
 
 // Layers hold the planes of the mask in order. Images keep bits as they are, so floats travel as bits.
-void put(ivec2 pixel, int plane, uint bits) {
+void put(const ivec2 pixel, const int plane, const uint bits) {
     if (wants(plane)) imageStore(film, ivec3(pixel, bitCount(kPlanes & ((1u << plane) - 1u))), uvec4(bits));
 }
 
-void put(ivec2 pixel, int plane, float value) {
+void put(const ivec2 pixel, const int plane, const float value) {
     put(pixel, plane, floatBitsToUint(value));
 }
 
-void put(ivec2 pixel, int plane, vec3 value) {
+void put(const ivec2 pixel, const int plane, const vec3 value) {
     put(pixel, plane, value.x);
     put(pixel, plane + 1, value.y);
     put(pixel, plane + 2, value.z);
 }
 
-vec3 storedColour(ivec2 pixel) {
+vec3 storedColour(const ivec2 pixel) {
     return vec3(uintBitsToFloat(imageLoad(film, ivec3(pixel, 0)).x), uintBitsToFloat(imageLoad(film, ivec3(pixel, 1)).x),
                 uintBitsToFloat(imageLoad(film, ivec3(pixel, 2)).x));
 }
 
-void putGeometry(ivec2 pixel, SurfacePoint point) {
+void putGeometry(const ivec2 pixel, const SurfacePoint point) {
     vec3 nothing = vec3(0.0);
     vec3 p = point.hit ? point.object_position : nothing;
     put(pixel, PLANE_T, point.hit ? point.t : uintBitsToFloat(0x7f800000u));
@@ -90,14 +90,14 @@ bool findPixel(out ivec2 pixel) {
 }
 
 #ifdef WITH_PATHS
-Gathered gatherSample(ivec2 raster) {
+Gathered gatherSample(const ivec2 raster, const int sample_index) {
     Rules rules;
-    rules.centre = params.sample_index < 0;
-    rules.shadowed = params.sample_index >= -1;
+    rules.centre = sample_index < 0;
+    rules.shadowed = sample_index >= -1;
     rules.weighed = !rules.centre && kDiffusePaths != 0;
     Numbers numbers;
     numbers.key = pixelKey(raster.x, raster.y, params.seed);
-    numbers.index = max(params.sample_index, 0);
+    numbers.index = max(sample_index, 0);
     vec2 jitter = rules.centre ? vec2(0.0) : filterPlace(numbersAt(numbers, 0, 0u));
     return gather(cameraSegment(vec2(raster), jitter), numbers, rules);
 }
@@ -109,10 +109,10 @@ struct Gathered {
     bool doubtful;
 };
 
-Gathered gatherSample(ivec2 raster) {
+Gathered gatherSample(const ivec2 raster, const int sample_index) {
     Gathered result;
     vec2 jitter = vec2(0.0);
-    if (params.sample_index >= 0) jitter = samplePosition(raster.x, raster.y, params.sample_index, params.seed);
+    if (sample_index >= 0) jitter = samplePosition(raster.x, raster.y, sample_index, params.seed);
     result.point = nearestHit(cameraSegment(vec2(raster), jitter));
     result.doubtful = result.point.doubtful;
     result.albedo = vec3(0.0);
@@ -120,7 +120,7 @@ Gathered gatherSample(ivec2 raster) {
     result.lit = 0u;
     if (kWantsLight && result.point.hit && !result.doubtful) {
         result.albedo = albedoOf(result.point);
-        result.lit = params.sample_index < -1 ? ~0u : visibleLights(result.point, result.doubtful);
+        result.lit = sample_index < -1 ? ~0u : visibleLights(result.point, result.doubtful);
         result.colour = directLight(result.point, result.albedo, result.lit);
     }
     return result;
@@ -128,8 +128,10 @@ Gathered gatherSample(ivec2 raster) {
 #endif
 
 // Film planes of a pixel whose ray, or another that it needs, is in doubt are left to the other precision.
-void shade(ivec2 pixel) {
-    Gathered gathered = gatherSample(pixel + ivec2(params.film_x, params.film_y));
+void shade(const ivec2 pixel) {
+    // Chosen by pixel, although it is the same for all: see onlyObject().
+    int sample_index = pixel.x >= 0 ? params.sample_index : 0;
+    Gathered gathered = gatherSample(pixel + ivec2(params.film_x, params.film_y), sample_index);
     if (gathered.doubtful) {
         retry_pixels[atomicAdd(retry.count, 1u)] = uint(pixel.x) | uint(pixel.y) << 16;
         return;
@@ -138,7 +140,7 @@ void shade(ivec2 pixel) {
     put(pixel, PLANE_ALBEDO_R, gathered.albedo);
     put(pixel, PLANE_LIT, gathered.lit);
     if ((kPlanes & kColourPlanes) != 0u)
-        put(pixel, PLANE_R, params.sample_index > 0 ? storedColour(pixel) + gathered.colour : gathered.colour);
+        put(pixel, PLANE_R, sample_index > 0 ? storedColour(pixel) + gathered.colour : gathered.colour);
 }
 
 void main() {

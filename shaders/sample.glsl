@@ -11,7 +11,7 @@ uint hashWord(uint x) {  // lowbias32, Wellons 2018
 }
 
 // A nested uniform scramble of the bits, lowest first (Laine and Karras 2011; the constants are Vegdahl's, 2021).
-uint permuteWord(uint x, uint key) {
+uint permuteWord(uint x, const uint key) {
     x ^= x * 0x3d20adeau;
     x += key;
     x *= (key >> 16) | 1u;
@@ -31,16 +31,16 @@ uint sobolWord(uint index) {
     return index;
 }
 
-real unitReal(uint word) {
+real unitReal(const uint word) {
     return real(word >> 8) * real(1.0 / 16777216.0);
 }
 
-uint pixelKey(int pixel_x, int pixel_y, uint seed) {
+uint pixelKey(const int pixel_x, const int pixel_y, const uint seed) {
     return hashWord(uint(pixel_x) + hashWord(uint(pixel_y) + hashWord(seed)));
 }
 
 // In [0, 1)^2; `pair` numbers the decisions.
-vec2 samplePoint(uint pixel_key, int index, uint pair) {
+vec2 samplePoint(const uint pixel_key, const int index, const uint pair) {
     uint key = hashWord(pixel_key + hashWord(pair));
     uint shuffled = bitfieldReverse(permuteWord(bitfieldReverse(uint(index)), key));
     uint first = bitfieldReverse(permuteWord(shuffled, hashWord(key + 1u)));
@@ -49,6 +49,6 @@ vec2 samplePoint(uint pixel_key, int index, uint pair) {
 }
 
 // The place in the pixel, in [-0.5, 0.5) about its centre.
-vec2 samplePosition(int pixel_x, int pixel_y, int index, uint seed) {
+vec2 samplePosition(const int pixel_x, const int pixel_y, const int index, const uint seed) {
     return samplePoint(pixelKey(pixel_x, pixel_y, seed), index, 0u) - vec2(real(0.5));
 }

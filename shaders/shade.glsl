@@ -24,7 +24,7 @@ struct SurfacePoint {
 };
 
 // Where light comes from a smoother surface than the true one, this is its normal.
-vec3 shadingNormal(SurfacePoint point) {
+vec3 shadingNormal(const SurfacePoint point) {
 #ifdef WITH_CURVED
     return point.smooth_normal;
 #else
@@ -34,7 +34,7 @@ vec3 shadingNormal(SurfacePoint point) {
 
 // Whether the hit at distance t along `towards`, at `from_first` from object 0's centre, comes before the best so far. From
 // afar t rounds to more than objects are apart; places near object 0 then tell them apart.
-bool isNearer(SurfacePoint best, float t, vec3 towards, vec3 from_first) {
+bool isNearer(const SurfacePoint best, const float t, const vec3 towards, const vec3 from_first) {
     if (!best.hit) return true;
     bool far = max(dot(from_first, from_first), dot(best.from_first, best.from_first)) < t * t;
     return far && !best.inside ? dot(towards, from_first - best.from_first) < 0.0 : t < best.t;
@@ -42,7 +42,7 @@ bool isNearer(SurfacePoint best, float t, vec3 towards, vec3 from_first) {
 
 // The coarsest level of object k's map that is off by kDetail pixels at most all along a camera's ray: where it enters
 // the shell, pixels are smallest.
-int levelFor(int k, ObjectData object, Ray ray) {
+int levelFor(const int k, const ObjectData object, const Ray ray) {
     if (kDetail <= 0.0) return 0;
     float half_chord = sqrt(max(object.shell_squared - ray.c2, 0.0));
     float distance = max(-half_chord - ray.s_min, 0.0);
@@ -53,8 +53,15 @@ int levelFor(int k, ObjectData object, Ray ray) {
     return level;
 }
 
-MapData mapOf(int k, int level) {
-    return maps[level * MAX_OBJECTS + k];
+// A scene's only object is read at a constant index: lavapipe reads a buffer once then, not lane by lane. Whoever calls
+// must have no branch that depends on what is read alone: the driver would compile the shader anew for every dispatch,
+// with these values set. So isKind() and its like ask the specialization constants first.
+int onlyObject(const int k) {
+    return kObjectCount == 1 ? 0 : k;
+}
+
+MapData mapOf(const int k, const int level) {
+    return maps[level * MAX_OBJECTS + onlyObject(k)];
 }
 
 // Where a ray starts: at the camera, through a place of the picture, or on a surface.
@@ -69,7 +76,7 @@ struct Segment {
 #endif
 };
 
-Segment cameraSegment(vec2 raster, vec2 jitter) {
+Segment cameraSegment(const vec2 raster, const vec2 jitter) {
     Segment segment;
     segment.raster = raster;
     segment.jitter = jitter;
@@ -85,12 +92,12 @@ Segment cameraSegment(vec2 raster, vec2 jitter) {
 }
 
 // P' of object `from` in the space of object k.
-vec3 startFor(int k, ObjectData object, int from, vec3 start) {
+vec3 startFor(const int k, const ObjectData object, const int from, const vec3 start) {
     if (kObjectCount == 1 || k == from) return start;
     return objectFromWorldPoint(object, worldFromObjectPoint(objects[from], start));
 }
 
-Ray segmentRay(Segment segment, int k, ObjectData object, vec2 pixel) {
+Ray segmentRay(const Segment segment, const int k, const ObjectData object, const vec2 pixel) {
 #ifdef WITH_PATHS
     if (!segment.camera)
         return secondaryRay(startFor(k, object, segment.object, segment.start),
@@ -100,14 +107,14 @@ Ray segmentRay(Segment segment, int k, ObjectData object, vec2 pixel) {
 }
 
 // P' stands on the level that the ray before met; rays from it meet other objects' maps themselves.
-int segmentLevel(Segment segment, int k, ObjectData object, Ray ray) {
+int segmentLevel(const Segment segment, const int k, const ObjectData object, const Ray ray) {
 #ifdef WITH_PATHS
     if (!segment.camera) return k == segment.object ? segment.level : 0;
 #endif
     return levelFor(k, object, ray);
 }
 
-vec3 towardsHit(Segment segment, ObjectData object, vec3 p, vec3 from_first, vec2 pixel) {
+vec3 towardsHit(const Segment segment, const ObjectData object, const vec3 p, const vec3 from_first, const vec2 pixel) {
 #ifdef WITH_PATHS
     if (!segment.camera) return from_first - segment.from_first;
 #endif
@@ -115,8 +122,8 @@ vec3 towardsHit(Segment segment, ObjectData object, vec3 p, vec3 from_first, vec
 }
 
 // Keeps object k's hit if it is the nearest so far.
-void considerObject(inout SurfacePoint best, int k, Segment segment) {
-    ObjectData object = objects[k];
+void considerObject(inout SurfacePoint best, const int k, const Segment segment) {
+    ObjectData object = objects[onlyObject(k)];
     vec2 pixel = segment.raster - vec2(object.anchor_x, object.anchor_y);
     Ray ray = segmentRay(segment, k, object, pixel);
     int level = segmentLevel(segment, k, object, ray);
@@ -152,7 +159,7 @@ void considerObject(inout SurfacePoint best, int k, Segment segment) {
     }
 }
 
-SurfacePoint nearestHit(Segment segment) {
+SurfacePoint nearestHit(const Segment segment) {
     SurfacePoint best;
     best.hit = false;
     best.inside = false;
@@ -161,35 +168,39 @@ SurfacePoint nearestHit(Segment segment) {
     best.object = -1;
     best.steps = 0;
     best.level = 0;
+    best.ramp = -1;  // lest it be the object's alone: see onlyObject()
     best.t = kInfinity;
-    for (int k = 0; k < kObjectCount; ++k) considerObject(best, k, segment);
+    // Not even a loop of one turn is free: it stands between the driver and what it could do once.
+    if (kObjectCount == 1)
+        considerObject(best, 0, segment);
+    else
+        for (int k = 0; k < kObjectCount; ++k) considerObject(best, k, segment);
     return best;
 }
 
-vec2 pointUv(SurfacePoint point) {
+vec2 pointUv(const SurfacePoint point) {
 #ifdef WITH_PATHS
-    if (sceneHas(KIND_MESH) && objects[point.object].kind == KIND_MESH) return point.uv;
+    if (isKind(objects[point.object], KIND_MESH)) return point.uv;
 #endif
     return surfaceUv(objects[point.object], point.object_position);
 }
 
-vec3 pointImageColour(SurfacePoint point) {
+vec3 pointImageColour(const SurfacePoint point) {
 #ifdef WITH_PATHS
-    if (sceneHas(KIND_MESH) && objects[point.object].kind == KIND_MESH)
-        return imageColourAt(objects[point.object], point.uv);
+    if (isKind(objects[point.object], KIND_MESH)) return imageColourAt(objects[point.object], point.uv);
 #endif
     return imageColour(objects[point.object], point.object_position);
 }
 
 #ifdef WITH_PATHS
-vec3 checkerColour(SurfacePoint point) {
+vec3 checkerColour(const SurfacePoint point) {
     MaterialData material = materials[point.object];
     vec2 cell = floor(pointUv(point) * vec2(material.u_scale, material.v_scale));
     return mod(cell.x + cell.y, 2.0) < 0.5 ? point.albedo : material.odd.rgb;
 }
 #endif
 
-vec3 albedoOf(SurfacePoint point) {
+vec3 albedoOf(const SurfacePoint point) {
     if (kImages != 0 && objects[point.object].image != IMAGE_NONE)
         return pointImageColour(point);
 #ifdef WITH_PATHS
@@ -205,8 +216,8 @@ vec3 albedoOf(SurfacePoint point) {
 
 // Whether object k is between P' and a light: at `place`, seen from object 0's centre, if the ray `ends` there; in the
 // direction `place` if it goes on for ever.
-bool shades(int k, SurfacePoint point, vec3 place, bool ends, inout bool doubtful) {
-    ObjectData object = objects[k];
+bool shades(const int k, const SurfacePoint point, const vec3 place, const bool ends, inout bool doubtful) {
+    ObjectData object = objects[onlyObject(k)];
     vec3 start = startFor(k, object, point.object, point.start);
     vec3 offset = ends ? objectFromWorldVector(object, place - object.from_first.xyz) - start
                        : objectFromWorldVector(object, place);
@@ -218,7 +229,7 @@ bool shades(int k, SurfacePoint point, vec3 place, bool ends, inout bool doubtfu
 #ifdef WITH_CURVED
 // A facet that turns away from the light is dark however its shading normal stands: fades to that instead of breaking off
 // (Chiang, Li and Burley 2019, "Taming the shadow terminator"). 1 where both normals are one.
-float terminatorShare(float cosine, float shading_cosine, float between) {
+float terminatorShare(const float cosine, const float shading_cosine, const float between) {
     float share = clamp(cosine / max(shading_cosine * between, 1e-6), 0.0, 1.0);
     return share * (1.0 + share * (1.0 - share));
 }

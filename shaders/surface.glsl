@@ -22,12 +22,12 @@ struct PatchPoint {
     real fu, fv, g;
 };
 
-int wrapColumn(int column, int width) {
+int wrapColumn(const int column, const int width) {
     return column < 0 ? column + width : (column >= width ? column - width : column);
 }
 
 // Column and row of the cell that holds direction p; within rounding of an edge either neighbour.
-ivec2 locateCell(MapData map, vec3 p) {
+ivec2 locateCell(const MapData map, const vec3 p) {
     real phi = atan2Precise(p.x, p.z);
     real theta = atan2Precise(sqrt(p.x * p.x + p.z * p.z), p.y);
     int column = int(floor(phi * (real(0.5) / kPi) * real(map.columns_per_turn) - real(map.first_column)));
@@ -36,24 +36,24 @@ ivec2 locateCell(MapData map, vec3 p) {
     return ivec2(clamp(column, 0, map.width - 1), clamp(row, 0, map.rows - 1));
 }
 
-bool isPoleRow(MapData map, int row) {
+bool isPoleRow(const MapData map, const int row) {
     return row == 0 || row == map.rows - 1;
 }
 
 // Cells per radian of latitude. Texel registration: the polar caps are half a cell high, so their weight runs twice as
 // fast.
-real cellsPerRadianV(MapData map, int row) {
+real cellsPerRadianV(const MapData map, const int row) {
     return real(map.cells_per_radian_v) * (map.caps != 0 && isPoleRow(map, row) ? real(2) : real(1));
 }
 
 // Angle from the nearer pole over the distance from the axis, close to that pole.
-real angleOverRho(vec3 p, real rho) {
+real angleOverRho(const vec3 p, const real rho) {
     real tangent = rho / max(abs(p.y), real(1e-20));
     return (real(1) - tangent * tangent * real(1.0 / 3.0)) / max(abs(p.y), real(1e-20));
 }
 
 // e_r - slope_east e_east - slope_south e_south: slopes of r per length.
-vec3 gradientOf(vec3 p, real rho, real radius, real slope_east, real slope_south) {
+vec3 gradientOf(const vec3 p, const real rho, const real radius, const real slope_east, const real slope_south) {
     real inverse_rho = real(1) / max(rho, real(1e-20));
     vec3 east = vec3(p.z, real(0), -p.x) * inverse_rho;
     vec3 outward = p / radius;
@@ -63,7 +63,7 @@ vec3 gradientOf(vec3 p, real rho, real radius, real slope_east, real slope_south
 
 // Coefficients of 1, fu, fv and fu fv of the bilinear patch over a cell, from its four corners: `cell` is the north-west
 // one; the column after the last is the first.
-vec4 bilinearOf(MapData map, real scale, ivec2 cell) {
+vec4 bilinearOf(const MapData map, const real scale, const ivec2 cell) {
     int next = cell.x + 1 == map.width ? 0 : cell.x + 1;
     real nw = scale * heightAt(map, cell.x, cell.y);
     real ne = scale * heightAt(map, next, cell.y);
@@ -73,7 +73,7 @@ vec4 bilinearOf(MapData map, real scale, ivec2 cell) {
 }
 
 #ifndef WITH_CURVED
-Patch fetchPatch(MapData map, real scale, ivec2 cell) {
+Patch fetchPatch(const MapData map, const real scale, const ivec2 cell) {
     vec4 of = bilinearOf(map, scale, cell);
     Patch quad;
     quad.a = of.x;
@@ -83,13 +83,13 @@ Patch fetchPatch(MapData map, real scale, ivec2 cell) {
     return quad;
 }
 
-real patchValue(Patch quad, real fu, real fv) {
+real patchValue(const Patch quad, const real fu, const real fv) {
     return quad.a + quad.b * fu + fv * (quad.c + quad.d * fu);
 }
 
 // Gradient of f = |p| - r(p/|p|): e_r - dr/dphi / rho e_east - dr/dtheta / |p| e_south. In the rows that touch a pole
 // dr/dphi is proportional to the angle from it, which cancels rho analytically.
-vec3 patchGradient(MapData map, Patch quad, PatchPoint at, int row, vec3 p) {
+vec3 patchGradient(const MapData map, const Patch quad, const PatchPoint at, const int row, const vec3 p) {
     real radius = max(length(p), kTiny);
     real rho = sqrt(p.x * p.x + p.z * p.z);
     real per_radian = cellsPerRadianV(map, row);

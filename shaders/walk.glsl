@@ -15,11 +15,11 @@ struct WalkPlan {
     real across_axis;  // share of d across the axis: how fast the ray can approach it
 };
 
-real acrossAxis(vec3 d) {
+real acrossAxis(const vec3 d) {
     return sqrt(max(real(1) - d.y * d.y, real(1e-12)));
 }
 
-WalkPlan planWalk(Ray ray) {
+WalkPlan planWalk(const Ray ray) {
     WalkPlan plan;
     precise real turn = ray.c.z * ray.d.x - ray.c.x * ray.d.z;
     plan.east = turn > real(0);
@@ -31,7 +31,7 @@ WalkPlan planWalk(Ray ray) {
 }
 
 // Where the ray meets the meridian plane of the edge that lies ahead of it: linear in sigma.
-real meridianCrossing(Frame frame, MapData map, bool east, real sigma) {
+real meridianCrossing(const Frame frame, const MapData map, const bool east, const real sigma) {
     vec2 start = east ? turnSmall(frame.place, real(map.sin_width), real(map.versin_width)) : -frame.place;
     vec2 rate = east ? turnSmall(frame.place_d, real(map.sin_width), real(map.versin_width)) : -frame.place_d;
     return rate.x > real(0) ? max(sigma, -start.x / rate.x) : kInfinity;
@@ -40,7 +40,7 @@ real meridianCrossing(Frame frame, MapData map, bool east, real sigma) {
 // Where the ray meets the cone of a parallel, y = |p| cos_e, going south or north: with E^2 = c_y^2 + |c|^2 (d_y^2 -
 // cos_e^2), s = (c_y d_y +- cos_e E) / (cos_e^2 - d_y^2), + southward; the conjugate form where that would cancel. A ray
 // that fails to touch the cone by rounding is taken to touch it.
-real coneCrossing(Ray ray, real cos_e, bool south, real s) {
+real coneCrossing(const Ray ray, const real cos_e, const bool south, const real s) {
     real slack = (cos_e - ray.d.y) * (cos_e + ray.d.y);
     real square = ray.c.y * ray.c.y - ray.c2 * slack;
     real swing = cos_e * sqrt(max(square, real(0)));
@@ -58,7 +58,7 @@ real coneCrossing(Ray ray, real cos_e, bool south, real s) {
 // Step from where a + b x + c x^2 / 2 was taken to its root with the derivative's sign `rising`. A parabola that fails to
 // touch zero by rounding is taken to touch it: else a ray could cross an edge and not find its way back. kInfinity without
 // a root.
-real stepToRoot(real a, real b, real c, bool rising) {
+real stepToRoot(const real a, const real b, const real c, const bool rising) {
     real square = b * b - real(2) * a * c;
     bool touches = abs(square) <= kTouch * real(2) * abs(c);
     real slope = sqrt(max(square, real(0)));
@@ -69,7 +69,8 @@ real stepToRoot(real a, real b, real c, bool rising) {
 
 // The same in the frame: the cone of the rounded ray, then one step on the edge's own small coordinate as a parabola. A
 // Newton step, which has no second derivative, goes astray where the ray is about to touch the cone.
-real parallelCrossing(Frame frame, Ray ray, MapData map, bool south, Local here, real sigma) {
+real parallelCrossing(const Frame frame, const Ray ray, const MapData map, const bool south, const Local here,
+                      const real sigma) {
     vec2 turn = south ? rowTurn(map, frame.cell.y) : vec2(real(0));
     real beyond_here = turnSmall(here.slant, turn.x, turn.y).x;
     if (south ? beyond_here > real(0) : beyond_here < real(0)) return sigma;
@@ -94,7 +95,7 @@ struct Chord {
 };
 
 // `cubic` and `quartic`: g's own terms beyond the parabola, which interpolates them with an error of at most 0.05 and 0.1.
-Chord makeChord(real g, real slope, real bend, real cubic, real quartic) {
+Chord makeChord(const real g, const real slope, const real bend, const real cubic, const real quartic) {
     Chord chord;
     chord.g = g;
     chord.slope = slope;
@@ -110,7 +111,7 @@ Chord makeChord(real g, real slope, real bend, real cubic, real quartic) {
 #ifdef WITH_CURVED
 // Beyond the parabola through three points is at most 1 / (72 sqrt 3) of the third derivative; its slope is off by a
 // twelfth of that, which matters where the chord starts on the surface.
-Chord makeCurvedChord(real g, real slope, real bend, real twist) {
+Chord makeCurvedChord(const real g, const real slope, const real bend, const real twist) {
     Chord chord = makeChord(g, slope, bend, real(0), real(0));
     chord.miss = real(0.00802) * twist;
     bool rises = slope > real(0.0834) * twist;
@@ -118,7 +119,7 @@ Chord makeCurvedChord(real g, real slope, real bend, real twist) {
     return chord;
 }
 
-Chord solveChord(PatchPoint start, PatchPoint middle, PatchPoint end, Patch quad) {
+Chord solveChord(const PatchPoint start, const PatchPoint middle, const PatchPoint end, const Patch quad) {
     real bend = real(2) * (start.g + end.g - real(2) * middle.g);
     vec2 places = vec2(start.fu, start.fv);
     vec2 bends = real(2) * (places + vec2(end.fu, end.fv) - real(2) * vec2(middle.fu, middle.fv));
@@ -127,7 +128,7 @@ Chord solveChord(PatchPoint start, PatchPoint middle, PatchPoint end, Patch quad
 }
 #else
 // The patch's twist makes the terms beyond the parabola, by the bends of fu and fv along the chord.
-Chord solveChord(PatchPoint start, PatchPoint middle, PatchPoint end, Patch quad) {
+Chord solveChord(const PatchPoint start, const PatchPoint middle, const PatchPoint end, const Patch quad) {
     real twist = quad.d;
     real bend = real(2) * (start.g + end.g - real(2) * middle.g);
     real bend_u = real(2) * (start.fu + end.fu - real(2) * middle.fu);
@@ -140,7 +141,7 @@ Chord solveChord(PatchPoint start, PatchPoint middle, PatchPoint end, Patch quad
 #endif
 
 // First root where g >= 0, as a share of the chord.
-real chordRoot(Chord chord) {
+real chordRoot(const Chord chord) {
     return clamp(firstRoot(chord.g, chord.slope, chord.bend), real(0), real(1));
 }
 
@@ -157,7 +158,7 @@ struct Walk {
 };
 
 // The ray is below the leaf's bound on [s, s_end].
-Walk startWalk(Ray ray, MapData map, WalkPlan plan, Pair base, real s, real s_end) {
+Walk startWalk(const Ray ray, const MapData map, const WalkPlan plan, const Pair base, const real s, const real s_end) {
     Walk walk;
     walk.frame = makeFrame(ray, map, base, s);
     walk.hit = false;
@@ -175,7 +176,7 @@ Walk startWalk(Ray ray, MapData map, WalkPlan plan, Pair base, real s, real s_en
     return walk;
 }
 
-void walkStep(INOUT(Walk) walk, WalkPlan plan, Ray ray, MapData map, real scale) {
+void walkStep(INOUT(Walk) walk, const WalkPlan plan, const Ray ray, const MapData map, const real scale) {
     Frame frame = walk.frame;
     Patch quad = fetchPatch(map, scale, frame.cell);
     bool before = walk.sigma < walk.turn;
@@ -224,7 +225,7 @@ struct Crossing {
 };
 
 // Newton on the true f, kept inside the chord; its last gradient is the normal's direction.
-Crossing refine(Ray ray, MapData map, real scale, Walk walk) {
+Crossing refine(const Ray ray, const MapData map, const real scale, const Walk walk) {
     Patch quad = fetchPatch(map, scale, walk.frame.cell);
     Crossing crossing;
     real sigma = walk.sigma;
