@@ -1,5 +1,8 @@
 #include "bench/devicecontender.h"
 
+#include "gpu/device.h"
+#include "gpu/pipelinestore.h"
+
 #include <chrono>
 
 namespace dsphere::bench {
@@ -167,6 +170,7 @@ SceneMaps noMaps() {
 
 double timeDeviceSetup(gpu::Device& device, const Workload& workload, const View& view, const Method& method) {
     bool smooth = method.engine == Engine::SmoothSphere;
+    device.pipelineStore().clear();
     double start = wallSeconds();
     SceneMaps none = noMaps();
     DeviceView made(device, smooth ? smoothScene(workload) : workload.scene, smooth ? none : workload.maps, view,

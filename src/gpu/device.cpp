@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "gpu/instance.h"
 #include "gpu/pipeline_cache.h"
+#include "gpu/pipelinestore.h"
 #include "gpu/result.h"
 #include "gpu/select.h"
 
@@ -38,6 +39,7 @@ Device::Device(const DeviceOptions& options)
     readLimits();
     createDevice();
     cache_ = std::make_unique<PipelineCache>(physical_, handle(), table_);
+    store_ = std::make_unique<PipelineStore>();
 }
 
 Device::~Device() {

@@ -16,6 +16,7 @@ namespace dsphere::gpu {
 
 class Instance;
 class PipelineCache;
+class PipelineStore;
 
 /// One physical device as `dsphere devices` prints it.
 struct DeviceInfo {
@@ -100,6 +101,7 @@ class Device {
     std::uint32_t queueFamily() const { return queue_family_; }
     VkCommandPool commandPool() const { return command_pool_.get(); }
     VkPipelineCache pipelineCache() const;
+    PipelineStore& pipelineStore() { return *store_; }
     /// Empty without DeviceOptions::presentation, or where this device cannot present. The queue may be queue().
     const std::optional<PresentQueue>& presentation() const { return present_; }
 
@@ -157,6 +159,7 @@ class Device {
     VkQueue queue_ = VK_NULL_HANDLE;
     Handle<VkCommandPool> command_pool_;
     std::unique_ptr<PipelineCache> cache_;
+    std::unique_ptr<PipelineStore> store_;
 };
 
 }  // namespace dsphere::gpu

@@ -1,7 +1,11 @@
 #include "gpu/pipeline.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <functional>
+#include <string_view>
+#include <utility>
 
 #include "gpu/buffer.h"
 #include "gpu/device.h"
@@ -91,6 +95,22 @@ Handle<VkPipeline> makePipeline(const Device& device, VkShaderModule shader, VkP
     return {device.handle(), made, device.vk().vkDestroyPipeline};
 }
 
+template <typename T>
+std::string_view bytesOf(std::span<const T> values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
+}
+
+/// All that a pipeline is made from; of the shader, which is long, a hash of 64 bits and its size.
+std::string keyOf(std::span<const std::uint32_t> spirv, std::span<const Binding::Kind> bindings,
+                  std::span<const std::uint32_t> specialization, std::uint32_t push_bytes) {
+    const std::array<std::uint64_t, 5> head = {std::hash<std::string_view>()(bytesOf(spirv)), spirv.size(),
+                                               bindings.size(), specialization.size(), push_bytes};
+    std::string key(bytesOf(std::span<const std::uint64_t>(head)));
+    key += bytesOf(bindings);
+    key += bytesOf(specialization);
+    return key;
+}
+
 [[maybe_unused]] bool isKind(const Resource& resource, Binding::Kind kind) {
     if (std::holds_alternative<const StorageImage*>(resource)) return kind == Binding::StorageImage;
     const Buffer::Usage usage = std::get<const Buffer*>(resource)->usage();
@@ -140,10 +160,16 @@ ComputePipeline::ComputePipeline(Device& device, std::span<const std::uint32_t> 
     assert(!bindings.empty() && push_constant_bytes % 4 == 0);
     checkLimit(push_constant_bytes, device.limits().max_push_constants_size, "maxPushConstantsSize", name);
     checkBindings(device.limits(), bindings, name);
-    set_layout_ = makeSetLayout(device, bindings, name);
-    layout_ = makeLayout(device, set_layout_.get(), push_constant_bytes, name);
+    std::string key = keyOf(spirv, bindings, specialization, push_constant_bytes);
+    objects_ = device.pipelineStore().find(key);
+    if (objects_) return;
+    PipelineObjects made;
+    made.set_layout = makeSetLayout(device, bindings, name);
+    made.layout = makeLayout(device, made.set_layout.get(), push_constant_bytes, name);
     const Handle<VkShaderModule> shader = makeShader(device, spirv, name);
-    pipeline_ = makePipeline(device, shader.get(), layout_.get(), specialization, name);
+    made.pipeline = makePipeline(device, shader.get(), made.layout.get(), specialization, name);
+    objects_ = std::make_shared<const PipelineObjects>(std::move(made));
+    device.pipelineStore().keep(std::move(key), objects_);
 }
 
 BindingSet::BindingSet(Device& device, const ComputePipeline& pipeline, const std::vector<Resource>& resources,

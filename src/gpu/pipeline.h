@@ -1,12 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "gpu/handle.h"
+#include "gpu/pipelinestore.h"
 
 namespace dsphere::gpu {
 
@@ -18,7 +19,8 @@ struct Binding {
     enum Kind { StorageBuffer, UniformBuffer, StorageImage };
 };
 
-/// A compute shader made ready: entry point `main`, descriptor set 0 with bindings 0, 1, 2... of the given kinds.
+/// A compute shader made ready: entry point `main`, descriptor set 0 with bindings 0, 1, 2... of the given kinds. Where the
+/// device has made the same one before, this shares it, name and all.
 class ComputePipeline {
   public:
     /// `specialization` holds the 4-byte values of constant_id 0, 1, 2...; floats and bools are passed by their bits (a
@@ -27,18 +29,16 @@ class ComputePipeline {
                     std::span<const std::uint32_t> specialization, std::uint32_t push_constant_bytes,
                     const std::string& name);
 
-    VkPipeline handle() const { return pipeline_.get(); }
-    VkPipelineLayout layout() const { return layout_.get(); }
-    VkDescriptorSetLayout setLayout() const { return set_layout_.get(); }
+    VkPipeline handle() const { return objects_->pipeline.get(); }
+    VkPipelineLayout layout() const { return objects_->layout.get(); }
+    VkDescriptorSetLayout setLayout() const { return objects_->set_layout.get(); }
     const std::vector<Binding::Kind>& bindings() const { return bindings_; }
     std::uint32_t pushConstantBytes() const { return push_constant_bytes_; }
 
   private:
     std::vector<Binding::Kind> bindings_;
     std::uint32_t push_constant_bytes_;
-    Handle<VkDescriptorSetLayout> set_layout_;
-    Handle<VkPipelineLayout> layout_;
-    Handle<VkPipeline> pipeline_;
+    std::shared_ptr<const PipelineObjects> objects_;
 };
 
 /// What a binding points at; never null.

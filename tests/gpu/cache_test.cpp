@@ -105,5 +105,47 @@ TEST_F(PipelineCacheTest, FolderFollowsTheBaseDirectoryRules) {
     run();
 }
 
+/// The device's own store of pipelines.
+class PipelineStoreTest : public CacheTest {
+  protected:
+    static constexpr Binding::Kind kBindings[] = {Binding::StorageBuffer, Binding::StorageBuffer};
+
+    VkPipeline make(std::vector<std::uint32_t> specialization) {
+        return ComputePipeline(device_, kSpirv_affine, kBindings, specialization, 8, "affine").handle();
+    }
+
+    Device device_{{.selector = "", .validation = true}};
+};
+
+TEST_F(PipelineStoreTest, GivesTheSameForTheSameAlone) {
+    const VkPipeline first = make({1, 2}), other = make({1, 3}), shorter = make({1});
+    EXPECT_EQ(make({1, 2}), first);
+    EXPECT_EQ(make({1, 3}), other);
+    EXPECT_NE(first, other);
+    EXPECT_NE(first, shorter);
+    EXPECT_TRUE(device_.validationMessages().empty());
+}
+
+TEST_F(PipelineStoreTest, ForgetsThoseUsedLeastRecently) {
+    PipelineStore store;
+    for (std::size_t i = 0; i < PipelineStore::kMost; ++i)
+        store.keep(std::to_string(i), std::make_shared<const PipelineObjects>());
+    EXPECT_NE(store.find("0"), nullptr);
+    store.keep("one more", std::make_shared<const PipelineObjects>());
+    EXPECT_NE(store.find("0"), nullptr);
+    EXPECT_EQ(store.find("1"), nullptr);
+    EXPECT_NE(store.find("one more"), nullptr);
+    store.clear();
+    EXPECT_EQ(store.find("one more"), nullptr);
+}
+
+TEST_F(PipelineStoreTest, APipelineOutlivesItsPlaceInTheStore) {
+    const ComputePipeline pipeline(device_, kSpirv_affine, kBindings, {}, 8, "affine");
+    device_.pipelineStore().clear();
+    Buffer a(device_, Buffer::Usage::Storage, Buffer::Place::Device, 64, "a");
+    const BindingSet set(device_, pipeline, {&a, &a}, "set");
+    EXPECT_TRUE(device_.validationMessages().empty());
+}
+
 }  // namespace
 }  // namespace dsphere::gpu
