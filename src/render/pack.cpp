@@ -4,6 +4,7 @@
 #include "render/packlevels.h"
 #include "render/packlight.h"
 #include "render/packmesh.h"
+#include "render/narrow.h"
 #include "scene/ramps.h"
 
 #include <algorithm>
@@ -22,10 +23,6 @@ static_assert(RAMP_POINTS == kRampPoints);
 // Every hit lies within 1e-6 R of the surface (the contract, which verify holds for each hit), so that far along the
 // normal is outside.
 constexpr double kSecondaryOffset = 1e-6;
-
-vec4 narrow(const dvec3& v, double w) {
-    return vec4(glm::vec3(v), float(w));
-}
 
 /// Object space: the matrices, and the length that counts as 1 there.
 struct Frame {

@@ -1,6 +1,7 @@
 #include "render/packlight.h"
 
 #include "render/traits.h"
+#include "render/narrow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +13,6 @@ namespace {
 using layout::LightData;
 using layout::MaterialData;
 using layout::vec4;
-
-vec4 narrow(const dvec3& v, double w) {
-    return vec4(glm::vec3(v), float(w));
-}
 
 double brightness(const dvec3& rgb) {
     return (rgb.r + rgb.g + rgb.b) / 3.0;

@@ -3,6 +3,7 @@
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
 #include "render/marchpipeline.h"
+#include "render/narrow.h"
 #include "shaders/probe.spv.h"
 #include "shaders/probe_curved.spv.h"
 
@@ -11,10 +12,6 @@ namespace dsphere {
 namespace {
 
 using Spirv = std::span<const std::uint32_t>;
-
-layout::vec4 narrow(const dvec3& v, double w) {
-    return layout::vec4(glm::vec3(v), float(w));
-}
 
 // The point nearest the centre, as a difference of large numbers far away, is made here in double.
 layout::ProbeRay narrowRay(const ProbeQuery& query) {
