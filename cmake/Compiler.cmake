@@ -23,12 +23,30 @@ function(dsphere_library name)
     target_link_libraries(dsphere_${name} PUBLIC ${ARG_LINK})
 endfunction()
 
-# dsphere_test(name sources... LINK targets...): one GoogleTest program, its cases named in ctest.
+# dsphere_unity(target): several files are compiled as one where their common headers, of GoogleTest, JSON or CLI11, are
+# most of what there is to compile.
+option(DSPHERE_UNITY "Compile several files at once: builds are faster, rebuilds after a small change slower" ON)
+function(dsphere_unity target)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ${DSPHERE_UNITY} UNITY_BUILD_BATCH_SIZE 6)
+endfunction()
+
+# dsphere_test(name sources... LINK targets... [SHARDS n]): one GoogleTest program, its cases named in ctest; with SHARDS
+# they are dealt out to n runs of it instead, where they share a device and the pipelines it has made.
 function(dsphere_test name)
-    cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+    cmake_parse_arguments(ARG "" "SHARDS" "LINK" ${ARGN})
     add_executable(${name}_test ${ARG_UNPARSED_ARGUMENTS})
     target_include_directories(${name}_test PRIVATE ${PROJECT_SOURCE_DIR})
+    dsphere_unity(${name}_test)
     target_link_libraries(${name}_test PRIVATE ${ARG_LINK} GTest::gtest_main)
     target_compile_definitions(${name}_test PRIVATE DSPHERE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    gtest_discover_tests(${name}_test TEST_PREFIX "${name}." PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 60)
+    if(NOT ARG_SHARDS)
+        gtest_discover_tests(${name}_test TEST_PREFIX "${name}." PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 60)
+        return()
+    endif()
+    math(EXPR last "${ARG_SHARDS} - 1")
+    foreach(shard RANGE ${last})
+        add_test(NAME ${name}.${shard} COMMAND ${name}_test --gtest_brief=1)
+        set_tests_properties(${name}.${shard} PROPERTIES TIMEOUT 900
+                             ENVIRONMENT "GTEST_TOTAL_SHARDS=${ARG_SHARDS};GTEST_SHARD_INDEX=${shard}")
+    endforeach()
 endfunction()

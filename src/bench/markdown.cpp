@@ -20,7 +20,7 @@ std::string row(const Cells& cells) {
     return text + "\n";
 }
 
-std::string tableOf(const Cells& names, const std::vector<Cells>& rows) {
+std::string markdownTable(const Cells& names, const std::vector<Cells>& rows) {
     std::string rule = "| --- |";
     for (std::size_t k = 1; k < names.size(); ++k) rule += " ---: |";
     std::string text = row(names) + rule + "\n";
@@ -42,7 +42,7 @@ std::string markdown(const Results& results, const std::string& figure) {
             figure, mainCase(cases).name);
     if (std::vector<Cells> rows = peerRows(results); !rows.empty())
         text += std::string("## The exact marcher against the full mesh\n\n") + kPeerText + "\n\n" +
-                tableOf(peerColumnNames(), rows);
+                markdownTable(peerColumnNames(), rows);
     for (const CaseViews& of : cases) {
         text += fmt::format("## {}\n\n", of.name);
         for (const ViewResult* view : of.views) {
@@ -50,7 +50,7 @@ std::string markdown(const Results& results, const std::string& figure) {
                                 100.0 * view->hit_share);
             std::vector<Cells> rows;
             for (const MethodResult& method : view->methods) rows.push_back(cellsOf(method));
-            text += tableOf(columnNames(), rows);
+            text += markdownTable(columnNames(), rows);
         }
     }
     text += "## What is measured\n\n";

@@ -27,7 +27,7 @@ class CliTest : public testing::Test {
                "LookAt 0 0 4  0 0 0  0 1 0\n"
                "Camera \"perspective\" \"float fov\" 40\n"
                "Film \"rgb\" \"string filename\" \"film.exr\" \"integer xresolution\" 64 \"integer yresolution\" 48\n"
-               "Sampler \"independent\" \"integer pixelsamples\" 4\n"
+               "Sampler \"independent\" \"integer pixelsamples\" 4 Integrator \"directlighting\"\n"
                "WorldBegin\n"
                "LightSource \"distant\" \"point3 from\" [1 0 .5] \"point3 to\" [0 0 0]\n"
                "Shape \"displacedsphere\" \"string displacementmap\" \"map.pgm\" " +

@@ -24,15 +24,13 @@
 namespace dsphere::test {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
 /// A crop of 6x4 pixels at (3, 2) of a 20x10 picture.
 Image croppedImage() {
     Image image;
     image.data = {3, 2, 9, 6};
     image.display = {0, 0, 20, 10};
     image.addFloat("P.X").floats() = floatRamp(image.pixelCount());
-    image.addFloat("t").floats().front() = kInfinity;
+    image.addFloat("t").floats().front() = std::numeric_limits<float>::infinity();
     std::vector<std::uint32_t>& ids = image.addUint("id").uints();
     for (std::size_t k = 0; k < ids.size(); ++k) ids[k] = 0xffffffffu - std::uint32_t(k);
     return image;
@@ -128,7 +126,8 @@ TEST(Png, IsSrgb) {
     const TempFolder folder;
     const float nan = std::nanf("");
     writePng(folder.path() / "a.png",
-             greyRow({0.0f, 0.5f, 1.0f, 2.0f, -1.0f, nan, kInfinity, -kInfinity, 0.001f, 0.0031308f, 0.2158605f}));
+             greyRow({0.0f, 0.5f, 1.0f, 2.0f, -1.0f, nan, std::numeric_limits<float>::infinity(),
+                      -std::numeric_limits<float>::infinity(), 0.001f, 0.0031308f, 0.2158605f}));
     const RawMap map = readRawMap(folder.path() / "a.png");
     EXPECT_EQ(map.type, "8-bit PNG");
     EXPECT_EQ(map.samples, (std::vector<float>{0, 188, 255, 255, 0, 0, 255, 0, 3, 10, 128}));
@@ -145,7 +144,7 @@ TEST(Png, ExposureIsInStops) {
 TEST(Png, ToneCurvesGoBeforeSrgb) {
     const TempFolder folder;
     const float nan = std::nanf(""), most = std::numeric_limits<float>::max();
-    const Image image = greyRow({0.0f, 0.18f, 1.0f, 8.0f, -1.0f, nan, kInfinity, most});
+    const Image image = greyRow({0.0f, 0.18f, 1.0f, 8.0f, -1.0f, nan, std::numeric_limits<float>::infinity(), most});
     const auto codes = [&](const Tone& tone) {
         writePng(folder.path() / "a.png", image, tone);
         return readRawMap(folder.path() / "a.png").samples;

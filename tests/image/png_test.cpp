@@ -13,7 +13,7 @@ RawMap readPngOf(const std::string& bytes) {
     return readRawMap(folder.write("map.png", bytes));
 }
 
-std::string refusalOf(const std::string& bytes) {
+std::string pngRefusal(const std::string& bytes) {
     return messageOf(ExitCode::InvalidInput, [&] { readPngOf(bytes); });
 }
 
@@ -78,11 +78,11 @@ TEST(Png, RefusesDamage) {
         std::string bad = good;
         bad[at] = char(bad[at] ^ 0x10);
         SCOPED_TRACE(at);
-        EXPECT_NE(refusalOf(bad), "");
+        EXPECT_NE(pngRefusal(bad), "");
     }
     std::string bad = good;
     bad[good.size() - 30] = char(bad[good.size() - 30] ^ 1);
-    EXPECT_TRUE(holds(refusalOf(bad), "checksum"));
+    EXPECT_TRUE(holds(pngRefusal(bad), "checksum"));
 }
 
 std::string withSize(std::uint32_t width, std::uint32_t height, const std::string& data) {
@@ -92,22 +92,22 @@ std::string withSize(std::uint32_t width, std::uint32_t height, const std::strin
 
 TEST(Png, RefusesSizesTheDataCannotFill) {
     const std::string data = zlibStored("12345");
-    EXPECT_TRUE(holds(refusalOf(withSize(0, 1, data)), "0x1"));
-    EXPECT_TRUE(holds(refusalOf(withSize(1, 0, data)), "1x0"));
-    EXPECT_TRUE(holds(refusalOf(withSize(0xffffffffu, 1, data)), "4294967295x1"));
-    EXPECT_TRUE(holds(refusalOf(withSize((1u << 20) + 1, 1, data)), "1048577x1"));
-    EXPECT_TRUE(holds(refusalOf(withSize(1u << 20, 1u << 12, data)), "texels"));
-    EXPECT_TRUE(holds(refusalOf(withSize(1u << 20, 1u << 11, data)), "cannot hold"));
-    EXPECT_TRUE(holds(refusalOf(withSize(4, 4, data)), "not enough pixels"));
-    EXPECT_TRUE(holds(refusalOf(withSize(4, 4, std::string(70000, 'x'))), "bytes of data for 4x4"));
-    EXPECT_TRUE(holds(refusalOf(withSize(1, 1, "")), "0 bytes of data cannot hold"));
-    EXPECT_TRUE(holds(refusalOf(withSize(1, 1, "no zlib stream")), "cannot be decoded"));
+    EXPECT_TRUE(holds(pngRefusal(withSize(0, 1, data)), "0x1"));
+    EXPECT_TRUE(holds(pngRefusal(withSize(1, 0, data)), "1x0"));
+    EXPECT_TRUE(holds(pngRefusal(withSize(0xffffffffu, 1, data)), "4294967295x1"));
+    EXPECT_TRUE(holds(pngRefusal(withSize((1u << 20) + 1, 1, data)), "1048577x1"));
+    EXPECT_TRUE(holds(pngRefusal(withSize(1u << 20, 1u << 12, data)), "texels"));
+    EXPECT_TRUE(holds(pngRefusal(withSize(1u << 20, 1u << 11, data)), "cannot hold"));
+    EXPECT_TRUE(holds(pngRefusal(withSize(4, 4, data)), "not enough pixels"));
+    EXPECT_TRUE(holds(pngRefusal(withSize(4, 4, std::string(70000, 'x'))), "bytes of data for 4x4"));
+    EXPECT_TRUE(holds(pngRefusal(withSize(1, 1, "")), "0 bytes of data cannot hold"));
+    EXPECT_TRUE(holds(pngRefusal(withSize(1, 1, "no zlib stream")), "cannot be decoded"));
 }
 
 TEST(Png, RefusesAFirstChunkOtherThanTheHeader) {
     const std::string signature = "\x89PNG\r\n\x1a\n";
-    EXPECT_TRUE(holds(refusalOf(signature + pngChunk("IEND", "")), "expected IHDR"));
-    EXPECT_TRUE(holds(refusalOf(signature + pngChunk("IHDR", "short")), "expected IHDR"));
+    EXPECT_TRUE(holds(pngRefusal(signature + pngChunk("IEND", "")), "expected IHDR"));
+    EXPECT_TRUE(holds(pngRefusal(signature + pngChunk("IHDR", "short")), "expected IHDR"));
 }
 
 }  // namespace

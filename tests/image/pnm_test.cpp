@@ -13,7 +13,7 @@ RawMap readPnmOf(const std::string& bytes) {
     return readRawMap(folder.write("map.pgm", bytes));
 }
 
-std::string refusalOf(const std::string& bytes) {
+std::string pnmRefusal(const std::string& bytes) {
     return messageOf(ExitCode::InvalidInput, [&] { readPnmOf(bytes); });
 }
 
@@ -38,7 +38,7 @@ TEST(Pnm, MaxvalIsTheFullScale) {
     EXPECT_EQ(map.full_scale, 1000.0);
     EXPECT_EQ(map.samples, (std::vector<float>{1, 1000}));
     EXPECT_EQ(readPnmOf(pnmFile(2, 1, 1, {0, 1})).full_scale, 1.0);
-    EXPECT_TRUE(holds(refusalOf(pnmFile(2, 2, 1000, {1, 2, 3, 1001})), "column 1, row 1 is over the maxval of 1000"));
+    EXPECT_TRUE(holds(pnmRefusal(pnmFile(2, 2, 1000, {1, 2, 3, 1001})), "column 1, row 1 is over the maxval of 1000"));
 }
 
 TEST(Pnm, AveragesColourInFloat) {
@@ -52,11 +52,11 @@ TEST(Pnm, ReadsPlainText) {
     EXPECT_EQ(readPnmOf("P2 3 2 65535\n0 1 2\n3 4\t65535").samples, (std::vector<float>{0, 1, 2, 3, 4, 65535}));
     EXPECT_EQ(readPnmOf("P2\n2 1\n9\n1#one\n# two\n2\n").samples, (std::vector<float>{1, 2}));
     EXPECT_EQ(readPnmOf("P3 2 1 255 1 2 4 5 5 5\n").samples, (std::vector<float>{float(7.0 / 3.0), 5}));
-    EXPECT_TRUE(holds(refusalOf("P2 2 1 9 1 10\n"), "column 1, row 0 is over the maxval of 9"));
-    EXPECT_TRUE(holds(refusalOf("P2 2 1 9 1 -1\n"), "\"-1\""));
-    EXPECT_TRUE(holds(refusalOf("P2 2 1 9 1 1.5\n"), "\"1.5\""));
-    EXPECT_TRUE(holds(refusalOf("P2 2 1 9 1     \n"), "truncated"));
-    EXPECT_TRUE(holds(refusalOf("P2 2 1 9 1 99999999999999999999999\n"), "whole number"));
+    EXPECT_TRUE(holds(pnmRefusal("P2 2 1 9 1 10\n"), "column 1, row 0 is over the maxval of 9"));
+    EXPECT_TRUE(holds(pnmRefusal("P2 2 1 9 1 -1\n"), "\"-1\""));
+    EXPECT_TRUE(holds(pnmRefusal("P2 2 1 9 1 1.5\n"), "\"1.5\""));
+    EXPECT_TRUE(holds(pnmRefusal("P2 2 1 9 1     \n"), "truncated"));
+    EXPECT_TRUE(holds(pnmRefusal("P2 2 1 9 1 99999999999999999999999\n"), "whole number"));
 }
 
 TEST(Pnm, HeaderMayHoldComments) {
@@ -72,23 +72,23 @@ TEST(Pnm, IgnoresWhatFollowsTheRaster) {
 }
 
 TEST(Pnm, RefusesMalformedHeaders) {
-    EXPECT_TRUE(holds(refusalOf("P5 0 1 255\n"), "0x1"));
-    EXPECT_TRUE(holds(refusalOf("P5 1 0 255\n"), "1x0"));
-    EXPECT_TRUE(holds(refusalOf("P5 -1 1 255\nA"), "\"-1\""));
-    EXPECT_TRUE(holds(refusalOf("P5 1048577 1 255\nA"), "1048577x1"));
-    EXPECT_TRUE(holds(refusalOf("P5 1048576 4096 255\nA"), "texels"));
-    EXPECT_TRUE(holds(refusalOf("P6 1048576 2048 65535\nA"), "12884901888 bytes"));
-    EXPECT_TRUE(holds(refusalOf("P2 1048576 2048 255\n1 "), "4294967295 bytes"));
-    EXPECT_TRUE(holds(refusalOf("P5 9223372036854775807 9223372036854775807 255\nA"), "at most"));
-    EXPECT_TRUE(holds(refusalOf("P5 99999999999999999999 1 255\nA"), "whole number"));
-    EXPECT_TRUE(holds(refusalOf("P5 1 1 0\nA"), "maxval is 0"));
-    EXPECT_TRUE(holds(refusalOf("P5 1 1 65536\nAB"), "maxval is 65536"));
-    EXPECT_TRUE(holds(refusalOf("P5 2 two 255\nAB"), "\"two\""));
-    EXPECT_TRUE(holds(refusalOf("P55 1 1 255\nA"), "\"P55\""));
-    EXPECT_TRUE(holds(refusalOf("P5 1 1 " + std::string(1000, '1') + "\nA"), "expected the maxval"));
-    EXPECT_TRUE(holds(refusalOf("P5 1 1 \x01\x02\nA"), "expected the maxval"));
-    EXPECT_TRUE(holds(refusalOf("P5 1 1 255"), "1 bytes expected"));
-    EXPECT_TRUE(holds(refusalOf("P5 #"), "truncated"));
+    EXPECT_TRUE(holds(pnmRefusal("P5 0 1 255\n"), "0x1"));
+    EXPECT_TRUE(holds(pnmRefusal("P5 1 0 255\n"), "1x0"));
+    EXPECT_TRUE(holds(pnmRefusal("P5 -1 1 255\nA"), "\"-1\""));
+    EXPECT_TRUE(holds(pnmRefusal("P5 1048577 1 255\nA"), "1048577x1"));
+    EXPECT_TRUE(holds(pnmRefusal("P5 1048576 4096 255\nA"), "texels"));
+    EXPECT_TRUE(holds(pnmRefusal("P6 1048576 2048 65535\nA"), "12884901888 bytes"));
+    EXPECT_TRUE(holds(pnmRefusal("P2 1048576 2048 255\n1 "), "4294967295 bytes"));
+    EXPECT_TRUE(holds(pnmRefusal("P5 9223372036854775807 9223372036854775807 255\nA"), "at most"));
+    EXPECT_TRUE(holds(pnmRefusal("P5 99999999999999999999 1 255\nA"), "whole number"));
+    EXPECT_TRUE(holds(pnmRefusal("P5 1 1 0\nA"), "maxval is 0"));
+    EXPECT_TRUE(holds(pnmRefusal("P5 1 1 65536\nAB"), "maxval is 65536"));
+    EXPECT_TRUE(holds(pnmRefusal("P5 2 two 255\nAB"), "\"two\""));
+    EXPECT_TRUE(holds(pnmRefusal("P55 1 1 255\nA"), "\"P55\""));
+    EXPECT_TRUE(holds(pnmRefusal("P5 1 1 " + std::string(1000, '1') + "\nA"), "expected the maxval"));
+    EXPECT_TRUE(holds(pnmRefusal("P5 1 1 \x01\x02\nA"), "expected the maxval"));
+    EXPECT_TRUE(holds(pnmRefusal("P5 1 1 255"), "1 bytes expected"));
+    EXPECT_TRUE(holds(pnmRefusal("P5 #"), "truncated"));
 }
 
 }  // namespace

@@ -10,12 +10,6 @@ namespace {
 
 using enum Registration;
 
-dvec3 direction(double u, double v) {
-    const double longitude = 2.0 * kPi * (u - 0.5), colatitude = kPi * v;
-    return {std::sin(colatitude) * std::sin(longitude), std::cos(colatitude),
-            std::sin(colatitude) * std::cos(longitude)};
-}
-
 void expectEnclosure(const Surface& surface, double u0, double u1, double v0, double v1, Random& random) {
     const RadiusBounds bounds = surface.bounds(u0, u1, v0, v1);
     EXPECT_GE(bounds.lower, surface.leastRadius());

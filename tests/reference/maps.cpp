@@ -80,6 +80,12 @@ Heightmap fractalMap(int width, int height, std::uint64_t seed) {
                    [&](int i, int j) { return sum[std::size_t(j) * std::size_t(width) + std::size_t(i)]; });
 }
 
+dvec3 direction(double u, double v) {
+    const double longitude = 2.0 * kPi * (u - 0.5), colatitude = kPi * v;
+    return {std::sin(colatitude) * std::sin(longitude), std::cos(colatitude),
+            std::sin(colatitude) * std::cos(longitude)};
+}
+
 double uniform(Random& random, double low, double high) {
     return low + (high - low) * (double(random() >> 11) * 0x1p-53);
 }

@@ -25,6 +25,9 @@ Heightmap checkerboard(int width, int height, Registration registration);
 /// Eight octaves of value noise, each half as high and twice as fine as the last.
 Heightmap fractalMap(int width, int height, std::uint64_t seed);
 
+/// The unit vector at texture coordinates (u, v).
+dvec3 direction(double u, double v);
+
 double uniform(Random& random, double low, double high);
 dvec3 randomUnit(Random& random);
 /// From a point `distance` away from the centre to a point within `reach` of it.

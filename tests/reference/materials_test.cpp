@@ -17,7 +17,7 @@ namespace {
 
 const dvec3 kWhite(1.0);
 
-dvec3 direction(double cosine, double phi) {
+dvec3 towards(double cosine, double phi) {
     const double sine = std::sqrt(1.0 - cosine * cosine);
     return {sine * std::cos(phi), sine * std::sin(phi), cosine};
 }
@@ -43,7 +43,7 @@ double overHemisphere(const dvec3& v, double alpha, G g) {
     return panels(north, south, [&](double x) {
         const double theta = middle + spread(x, width);
         return std::sin(theta) * width * std::cosh(x) * panels(-half_turn, half_turn, [&](double y) {
-                   return phi_width * std::cosh(y) * g(direction(std::cos(theta), phi_middle + spread(y, phi_width)));
+                   return phi_width * std::cosh(y) * g(towards(std::cos(theta), phi_middle + spread(y, phi_width)));
                });
     });
 }
@@ -85,9 +85,9 @@ TEST(Fresnel, Conductor) {
 TEST(Materials, AWhiteFurnaceStaysWhite) {
     for (double cosine : {1.0, 0.9, 0.5, 0.2, 0.05})
         for (double alpha : {0.001, 0.01, 0.1, 0.3, 0.6, 1.0})
-            EXPECT_NEAR(furnace(losslessMetal(alpha), direction(cosine, 0.4), alpha), 1.0, 2e-3)
+            EXPECT_NEAR(furnace(losslessMetal(alpha), towards(cosine, 0.4), alpha), 1.0, 2e-3)
                 << "alpha " << alpha << ", cosine " << cosine;
-    EXPECT_NEAR(furnace(Reflector(Matte{}), direction(0.3, 1.0), 1.0), 1.0, 1e-9);
+    EXPECT_NEAR(furnace(Reflector(Matte{}), towards(0.3, 1.0), 1.0), 1.0, 1e-9);
 }
 
 // The table against the integral that it is made of, and that against light directions.
@@ -98,7 +98,7 @@ TEST(Materials, LostLight) {
         for (double cosine : {1e-4, 0.0011, 0.01, 0.077, 0.31, 0.77, 0.999, 1.0})
             EXPECT_NEAR(lost.at(cosine), 1.0 - facets.albedo(cosine), 3e-6) << alpha << ' ' << cosine;
         for (double cosine : {0.1, 0.5, 1.0}) {
-            const dvec3 v = direction(cosine, 0.0);
+            const dvec3 v = towards(cosine, 0.0);
             EXPECT_NEAR(facets.albedo(cosine),
                         overHemisphere(v, alpha, [&](const dvec3& l) { return facets.reflection(l, v) * l.z; }), 1e-4)
                 << alpha << ' ' << cosine;
@@ -111,7 +111,7 @@ TEST(Materials, LostLight) {
 TEST(Materials, OrenNayarLosesLightAndGainsLittle) {
     for (double sigma : {10.0, 20.0, 30.0, 60.0, 90.0})
         for (double cosine : {1.0, 0.8, 0.5, 0.2, 0.05}) {
-            const double kept = furnace(Reflector(Matte{.sigma = sigma}), direction(cosine, 0.0), 1.0);
+            const double kept = furnace(Reflector(Matte{.sigma = sigma}), towards(cosine, 0.0), 1.0);
             EXPECT_GT(kept, 0.55) << sigma << ' ' << cosine;
             EXPECT_LT(kept, 1.02) << sigma << ' ' << cosine;
         }
@@ -121,7 +121,7 @@ TEST(Materials, OrenNayarLosesLightAndGainsLittle) {
 TEST(Materials, PlasticGainsNoMoreThanItsFacets) {
     for (double alpha : {0.01, 0.1, 0.5, 1.0})
         for (double cosine : {1.0, 0.5, 0.1, 0.02}) {
-            const dvec3 v = direction(cosine, 2.0);
+            const dvec3 v = towards(cosine, 2.0);
             const Plastic plastic{.diffuse = ConstantColour{kWhite}, .specular = dvec3(1.0), .alpha = alpha};
             const double kept = furnace(Reflector(plastic), v, alpha);
             EXPECT_GT(kept, 1.0);
@@ -151,7 +151,7 @@ TEST(Materials, Densities) {
     const double alpha = 0.3;
     const Reflector metal(Conductor{.alpha = alpha}), plastic(Plastic{.alpha = alpha}), matte(Matte{.sigma = 20.0});
     for (double cosine : {1.0, 0.6, 0.15}) {
-        const dvec3 v = direction(cosine, 1.0);
+        const dvec3 v = towards(cosine, 1.0);
         auto whole = [&](const Reflector& reflector) {
             return overHemisphere(v, alpha, [&](const dvec3& l) { return reflector.density(l, v); });
         };
@@ -174,7 +174,7 @@ TEST(Materials, SamplesFollowTheirDensity) {
              {Material(Matte{.sigma = 20.0}), Material(Conductor{.alpha = alpha}), Material(Plastic{.alpha = alpha})}) {
             const Reflector reflector(material);
             for (double cosine : {1.0, 0.5, 0.1}) {
-                const dvec3 v = direction(cosine, 0.7);
+                const dvec3 v = towards(cosine, 0.7);
                 auto moments = [&](const dvec3& l, int m) {
                     if (!(l.z > 0.0)) return 0.0;
                     const double all[] = {1.0, l.x, l.y, l.z, l.x * l.y, l.z * l.z, l.x * l.z};
@@ -202,8 +202,8 @@ TEST(Materials, Mirror) {
     const Reflector mirror(Mirror{.reflectance = dvec3(0.5, 0.6, 0.7)});
     ASSERT_TRUE(mirror.mirror());
     EXPECT_EQ(*mirror.mirror(), dvec3(0.5, 0.6, 0.7));
-    EXPECT_EQ(mirror.sample(direction(0.5, 1.0), {}, 0.0).z, 0.5);
-    EXPECT_EQ(mirror.f(direction(0.5, 1.0 + kPi), direction(0.5, 1.0), kWhite), dvec3(0.0));
+    EXPECT_EQ(mirror.sample(towards(0.5, 1.0), {}, 0.0).z, 0.5);
+    EXPECT_EQ(mirror.f(towards(0.5, 1.0 + kPi), towards(0.5, 1.0), kWhite), dvec3(0.0));
     EXPECT_FALSE(Reflector(Matte{}).mirror());
 }
 
@@ -211,10 +211,10 @@ TEST(Materials, Mirror) {
 TEST(Materials, OrenNayarByHand) {
     const double sigma2 = std::pow(kPi / 6, 2), a = 1.0 - 0.5 * sigma2 / (sigma2 + 0.33),
                  b = 0.45 * sigma2 / (sigma2 + 0.09);
-    const dvec3 l = direction(0.5, 0.0), v = direction(std::sqrt(0.5), kPi / 3);
+    const dvec3 l = towards(0.5, 0.0), v = towards(std::sqrt(0.5), kPi / 3);
     EXPECT_NEAR(orenNayar(30.0, l, v), a + b * 0.5 * std::sqrt(0.75) * 1.0, 1e-14);
-    EXPECT_NEAR(orenNayar(30.0, l, direction(0.7, kPi)), a, 1e-14);
-    EXPECT_NEAR(orenNayar(30.0, l, direction(1.0, 0.0)), a, 1e-14);
+    EXPECT_NEAR(orenNayar(30.0, l, towards(0.7, kPi)), a, 1e-14);
+    EXPECT_NEAR(orenNayar(30.0, l, towards(1.0, 0.0)), a, 1e-14);
     EXPECT_EQ(orenNayar(0.0, l, v), 1.0);
 }
 

@@ -10,7 +10,7 @@
 namespace dsphere::reference::test {
 namespace {
 
-const dvec3 kUp(0.0, 0.0, 1.0);
+const dvec3 kNorth(0.0, 0.0, 1.0);
 
 /// A floor at z = 0 and above its middle a shape that shines.
 Scene floorUnder(const decltype(Shape::geometry)& emitter, const dmat4& place) {
@@ -29,7 +29,7 @@ Tracer plainTracer(const Scene& scene) {
     return Tracer(scene, std::vector<const Heightmap*>(scene.shapes.size()), std::vector<Relief>(scene.shapes.size()));
 }
 
-const ShadingPoint kMiddle{0, dvec3(0.0), dvec3(0.0), {kUp, kUp}, kUp};
+const ShadingPoint kMiddle{0, dvec3(0.0), dvec3(0.0), {kNorth, kNorth}, kNorth};
 
 /// The mean over a pixel's first 1024 samples: stratified, so right to about 1e-3.
 double meanOf(const Tracer& tracer, const ShadingPoint& point) {
@@ -65,7 +65,7 @@ TEST(DirectLight, EmittersShineFromTheirFront) {
     // It shines upward: the floor is dark, and so is its lower side.
     EXPECT_EQ(meanOf(tracer, kMiddle), 0.0);
     for (double side : {1.0, -1.0}) {
-        const dvec3 towards = side * kUp;
+        const dvec3 towards = side * kNorth;
         const ShadingPoint seen = tracer.shadingPoint(tracer.firstHit({0.5, 0.5, 2.0 + side}, -towards), -towards);
         ASSERT_EQ(seen.shape, 1);
         EXPECT_EQ(tracer.directLight(seen, {}, 0), dvec3(side > 0.0 ? 4.0 : 0.0));

@@ -12,12 +12,6 @@ namespace {
 
 using enum Registration;
 
-dvec3 direction(double u, double v) {
-    const double longitude = 2.0 * kPi * (u - 0.5), colatitude = kPi * v;
-    return {std::sin(colatitude) * std::sin(longitude), std::cos(colatitude),
-            std::sin(colatitude) * std::cos(longitude)};
-}
-
 double digits(int i, int j) {
     return 10.0 * j + i;
 }

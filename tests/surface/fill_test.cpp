@@ -8,6 +8,7 @@
 
 #include "surface/heightmap.h"
 #include "surface/scenemaps.h"
+#include "tests/surface/grids.h"
 #include "tests/support/expecterror.h"
 #include "tests/support/pngwriter.h"
 #include "tests/support/tempfolder.h"
@@ -78,14 +79,6 @@ TEST(Nodata, IsTheStoredFloat) {
     EXPECT_EQ(fill({kNan, 3, std::bit_cast<float>(0xffc12345u)}, 3, 1, std::nan("")).samples,
               (std::vector<float>{3, 3, 3}));
     EXPECT_EQ(fill({0, 3}, 2, 1, std::nan("")).count, 0u);
-}
-
-RawMap rawOf(int width, int height, std::vector<float> samples) {
-    RawMap raw;
-    raw.width = width;
-    raw.height = height;
-    raw.samples = std::move(samples);
-    return raw;
 }
 
 TEST(Nodata, IsFilledBeforeThePolesAndCounted) {

@@ -9,6 +9,14 @@
 
 namespace dsphere::test {
 
+inline RawMap rawOf(int width, int height, std::vector<float> samples) {
+    RawMap raw;
+    raw.width = width;
+    raw.height = height;
+    raw.samples = std::move(samples);
+    return raw;
+}
+
 /// A map, its shape and its relief.
 struct Planet {
     DisplacedSphere shape;

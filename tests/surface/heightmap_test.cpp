@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/surface/grids.h"
 #include "tests/support/expecterror.h"
 #include "tests/support/pngwriter.h"
 #include "tests/support/tempfolder.h"
@@ -13,14 +14,6 @@ namespace dsphere::test {
 namespace {
 
 const SourceLocation kWhere{"planet.pbrt", 7, 3};
-
-RawMap rawOf(int width, int height, std::vector<float> samples) {
-    RawMap raw;
-    raw.width = width;
-    raw.height = height;
-    raw.samples = std::move(samples);
-    return raw;
-}
 
 /// A shape of radius 2 whose k is 1 (50 %).
 DisplacedSphere shapeOf() {
