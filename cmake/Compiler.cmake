@@ -46,7 +46,7 @@ function(dsphere_test name)
     math(EXPR last "${ARG_SHARDS} - 1")
     foreach(shard RANGE ${last})
         add_test(NAME ${name}.${shard} COMMAND ${name}_test --gtest_brief=1)
-        set_tests_properties(${name}.${shard} PROPERTIES TIMEOUT 900
+        set_tests_properties(${name}.${shard} PROPERTIES TIMEOUT 900 COST 100
                              ENVIRONMENT "GTEST_TOTAL_SHARDS=${ARG_SHARDS};GTEST_SHARD_INDEX=${shard}")
     endforeach()
 endfunction()

@@ -8,6 +8,8 @@ layout(local_size_x = DISPLAY_GROUP, local_size_y = DISPLAY_GROUP) in;
 layout(binding = 0, r32ui) readonly uniform uimage2DArray film;
 layout(std430, binding = 1) writeonly buffer Colours { uint colours[]; };
 layout(push_constant) uniform Params { DisplayParams params; };
+// A SHOW_. No parameter: lavapipe would set that into a copy of the shader, and compile it, at every dispatch.
+layout(constant_id = 0) const int kShow = SHOW_COLOUR;
 
 const vec3 kBackground = vec3(0.07, 0.07, 0.08);  // behind values, so that black can be one
 
@@ -38,13 +40,13 @@ float share(float value) {
 
 vec3 colourOf(ivec2 pixel) {
     uint layer = params.layer;
-    if (params.show == SHOW_COLOUR) return srgb(planes(pixel, layer) * params.gain);
+    if (kShow == SHOW_COLOUR) return srgb(planes(pixel, layer) * params.gain);
     if (imageLoad(film, ivec3(pixel, params.id_layer)).x == 0u) return kBackground;
-    if (params.show == SHOW_ALBEDO) return srgb(planes(pixel, layer));
-    if (params.show == SHOW_NORMAL) return 0.5 + 0.5 * planes(pixel, layer);
-    if (params.show == SHOW_UV) return vec3(plane(pixel, layer), plane(pixel, layer + 1u), 0.25);
-    if (params.show == SHOW_DISTANCE) return vec3(1.0 - 0.9 * clamp(share(plane(pixel, layer)), 0.0, 1.0));
-    if (params.show == SHOW_RESIDUAL) return heat(share(log2(max(plane(pixel, layer), 1e-30))));
+    if (kShow == SHOW_ALBEDO) return srgb(planes(pixel, layer));
+    if (kShow == SHOW_NORMAL) return 0.5 + 0.5 * planes(pixel, layer);
+    if (kShow == SHOW_UV) return vec3(plane(pixel, layer), plane(pixel, layer + 1u), 0.25);
+    if (kShow == SHOW_DISTANCE) return vec3(1.0 - 0.9 * clamp(share(plane(pixel, layer)), 0.0, 1.0));
+    if (kShow == SHOW_RESIDUAL) return heat(share(log2(max(plane(pixel, layer), 1e-30))));
     return heat(share(float(imageLoad(film, ivec3(pixel, layer)).x)));
 }
 

@@ -21,9 +21,9 @@ using uint = std::uint32_t;
 struct DisplayParams {
     int width, height;     // of the picture, from the film's first pixel
     uint layer, id_layer;  // of the film: where the values begin, and the shapes' (not of SHOW_COLOUR)
-    int show;              // SHOW_
     float gain;            // SHOW_COLOUR: of the stored sums
     float low, high;       // the values that the scale of colours begins and ends at; of SHOW_RESIDUAL their log2
+    uint pad0;
 };
 
 #ifdef __cplusplus

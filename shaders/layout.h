@@ -55,7 +55,8 @@ using uint = std::uint32_t;
 #define SPEC_GAUSSIAN 16      // 1: the pixel filter is the Gaussian of the tables; 0: a box
 #define SPEC_RADIUS_X 17      // float, of the pixel filter
 #define SPEC_RADIUS_Y 18
-#define SPEC_COUNT 19
+#define SPEC_SHADOWS 19  // 0: light passes through everything
+#define SPEC_COUNT 20
 
 #define MARCHER_EXACT 0
 #define MARCHER_NAIVE 1        // the seed's: from the camera
@@ -238,7 +239,7 @@ struct RenderParams {
     int tile_x, tile_y;    // of the tile's first pixel, in film pixels
     int tile_x1, tile_y1;  // its end
     int film_x, film_y;    // raster position of the film's first pixel
-    int sample_index;      // -1: the pixel's centre; -2: the same without shadows
+    int sample_index;      // -1: the pixel's centre
     uint seed;
 };
 

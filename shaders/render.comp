@@ -93,7 +93,7 @@ bool findPixel(out ivec2 pixel) {
 Gathered gatherSample(const ivec2 raster, const int sample_index) {
     Rules rules;
     rules.centre = sample_index < 0;
-    rules.shadowed = sample_index >= -1;
+    rules.shadowed = kShadows != 0;
     rules.weighed = !rules.centre && kDiffusePaths != 0;
     Numbers numbers;
     numbers.key = pixelKey(raster.x, raster.y, params.seed);
@@ -120,7 +120,7 @@ Gathered gatherSample(const ivec2 raster, const int sample_index) {
     result.lit = 0u;
     if (kWantsLight && result.point.hit && !result.doubtful) {
         result.albedo = albedoOf(result.point);
-        result.lit = sample_index < -1 ? ~0u : visibleLights(result.point, result.doubtful);
+        result.lit = kShadows == 0 ? ~0u : visibleLights(result.point, result.doubtful);
         result.colour = directLight(result.point, result.albedo, result.lit);
     }
     return result;

@@ -8,7 +8,13 @@ namespace dsphere {
 LiveFilm::LiveFilm(gpu::Device& device, Renderer& renderer, int width, int height, std::uint32_t mask)
     : device_(device), renderer_(renderer), film_(device, width, height, mask) {}
 
-void LiveFilm::begin(const std::vector<LivePart>& parts, Sampling sampling, std::uint32_t seed) {
+void LiveFilm::prepare(const MarchMethod& method) {
+    if (!passes_.contains(method))
+        passes_.try_emplace(method, device_, renderer_.pipelines(method, film_.mask()), renderer_.deviceScene(),
+                            film_.image());
+}
+
+void LiveFilm::begin(std::vector<LivePart> parts, Sampling sampling, std::uint32_t seed) {
     box_ = renderer_.crop();
     assert(!parts.empty() && box_.width() <= int(film_.image().width()) &&
            box_.height() <= int(film_.image().height()));
@@ -17,18 +23,16 @@ void LiveFilm::begin(const std::vector<LivePart>& parts, Sampling sampling, std:
     for (std::size_t i = 0; i < parts.size(); ++i)
         for (std::size_t k = 0; k < runs_.size(); ++k)
             if (parts_[k].method == parts[i].method) pixel_seconds[i] = runs_[k].pixelSeconds();
-    parts_ = parts;
+    parts_ = std::move(parts);
     runs_.clear();
     for (const LivePart& part : parts_) {
-        if (!passes_.contains(part.method))
-            passes_.try_emplace(part.method, device_, renderer_.pipelines(part.method, film_.mask()),
-                                renderer_.deviceScene(), film_.image());
+        prepare(part.method);
         runs_.emplace_back(makeTiles(renderer_.spans(), part.x0, part.x1), box_.x0, box_.y0,
                            pixel_seconds[runs_.size()]);
     }
     film_.clear();
     part_ = 0;
-    first_ = sampling == Sampling::Jittered ? 0 : sampling == Sampling::Centres ? -1 : -2;
+    first_ = sampling == Sampling::Jittered ? 0 : -1;
     samples_ = 0;
     seed_ = seed;
     seconds_ = 0.0;

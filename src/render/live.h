@@ -15,8 +15,8 @@ struct LivePart {
     int x0 = 0, x1 = 0;
 };
 
-/// Where in the pixels rays go: samples 0, 1, 2..., or one sample at the centres, if need be without cast shadows.
-enum class Sampling { Jittered, Centres, UnshadowedCentres };
+/// Where in the pixels rays go: samples 0, 1, 2..., or one sample at the centres.
+enum class Sampling { Jittered, Centres };
 
 /// A picture that grows sample by sample between other work: sample i of it is sample i of Renderer::renderColour.
 class LiveFilm {
@@ -24,8 +24,10 @@ class LiveFilm {
     /// Holds pictures of up to width x height. The renderer must outlive it.
     LiveFilm(gpu::Device& device, Renderer& renderer, int width, int height, std::uint32_t mask);
 
+    /// Makes ready what begin() needs of a method, so that it does not take its time then.
+    void prepare(const MarchMethod& method);
     /// Starts a picture with the renderer's camera and film, which must fit.
-    void begin(const std::vector<LivePart>& parts, Sampling sampling, std::uint32_t seed);
+    void begin(std::vector<LivePart> parts, Sampling sampling, std::uint32_t seed);
     /// One submission of about `target` seconds at most; true if it completed a sample, which takes several.
     bool step(double target);
 

@@ -42,6 +42,7 @@ gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& t
     specialization[SPEC_THRESHOLD] = std::bit_cast<std::uint32_t>(method.threshold);
     specialization[SPEC_STRIDE] = std::bit_cast<std::uint32_t>(stride);
     specialization[SPEC_DETAIL] = std::bit_cast<std::uint32_t>(method.detail);
+    specialization[SPEC_SHADOWS] = method.shadows ? 1 : 0;
     const SceneTraits::Paths& paths = traits.paths;
     specialization[SPEC_MATERIALS] = paths.materials;
     specialization[SPEC_LIGHT_KINDS] = paths.light_kinds;

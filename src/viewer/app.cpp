@@ -87,8 +87,8 @@ void App::startPicture(bool draft) {
     stage_->setCamera(control_->camera(), width, height);
     camera_is_new_ = false;
     Sampling sampling = view_.show == Show::Colour ? Sampling::Jittered : Sampling::Centres;
-    if (draft) sampling = schedule_.shadows() ? Sampling::Centres : Sampling::UnshadowedCentres;
-    stage_->begin(view_, sampling);
+    if (draft) sampling = Sampling::Centres;
+    stage_->begin(view_, sampling, !draft || schedule_.shadows());
     draft ? schedule_.beginDraft() : schedule_.beginStill();
     begun_ = true;
     published_ = false;
@@ -116,7 +116,11 @@ bool App::renderSlice() {
     draft_seconds_ += window_.now() - start;
     if (!done) return false;
     if (draft) schedule_.draftTook(draft_seconds_, draw_seconds_);
-    if (!draft) schedule_.sampleDone();
+    if (!draft) {
+        schedule_.sampleDone();
+        if (film.sampleSeconds() * Schedule::kLeastScale * Schedule::kLeastScale > Schedule::kFrameTarget)
+            stage_->makeDraftsReady(view_);
+    }
     if (screenshot_wanted_ && !draft) takeScreenshot();
     // Doubling is when the eye sees a difference.
     int samples = film.samples();
@@ -207,14 +211,15 @@ void App::note(bool shown) {
         "\"film\": [{}, {}], \"window\": [{}, {}], \"frame_ms\": {:.2f}, \"draw_ms\": {:.2f}, \"latency_ms\": {:.2f}, "
         "\"altitude\": {:.9g}, \"marcher\": {}, \"split\": {}, \"divider\": {:.4f}, \"value\": {}, \"panel\": {}, "
         "\"keys\": {}, \"hover\": {}, \"message\": {}, \"error\": {}, \"cursor\": [{:.4f}, {:.4f}], \"scale\": {:.2f}, "
-        "\"exaggeration\": {:.4f}, \"capture\": {}, \"render_ms\": {:.2f}, \"device_ms\": {:.2f}}}",
+        "\"exaggeration\": {:.4f}, \"detail\": {}, \"filter\": {}, \"capture\": {}, \"render_ms\": {:.2f}, "
+        "\"device_ms\": {:.2f}}}",
         window_.now(), shown, jsonQuoted(figures.file), figures.busy, figures.samples, figures.target_samples,
         schedule_.draft(), figures.width, figures.height, window_.width(), window_.height(), 1e3 * frame_seconds_,
         1e3 * draw_seconds_, latency < 0.0 ? -1.0 : 1e3 * latency, control_ ? control_->altitude() : 0.0,
         int(view_.method.marcher), view_.split, view_.divider, int(view_.show), ui_.panel_open, ui_.keys_open,
         jsonQuoted(figures.hover), jsonQuoted(ui_.message), ui_.message_is_error, at.x, at.y, scale_,
-        ui_.tuning.exaggeration, ImGui::GetIO().WantCaptureMouse, 1e3 * draft_seconds_,
-        stage_ && begun_ ? 1e3 * stage_->film().sampleSeconds() : 0.0));
+        ui_.tuning.exaggeration, view_.method.detail, int(ui_.tuning.filter), ImGui::GetIO().WantCaptureMouse,
+        1e3 * draft_seconds_, stage_ && begun_ ? 1e3 * stage_->film().sampleSeconds() : 0.0));
 }
 
 }  // namespace dsphere::viewer

@@ -31,7 +31,6 @@ layout::DisplayParams paramsOf(const LiveFilm& film, Show show, const ToneSettin
     params.height = film.height();
     params.layer = layerOf(mask, kFirstPlane[int(show)]);
     params.id_layer = layerOf(mask, PLANE_ID);
-    params.show = int(show);
     params.gain = std::exp2(tone.exposure) / float(film.samples());
     params.high = tone.most_steps;
     if (show == Show::Residual) {
@@ -49,11 +48,17 @@ std::uint32_t planesOf(Show show) {
     return show == Show::Colour ? mask : mask | planeBit(PLANE_ID);
 }
 
-Display::Display(gpu::Device& device)
-    : device_(device),
-      pipeline_(device, kSpirv_display, std::array{gpu::Binding::StorageImage, gpu::Binding::StorageBuffer}, {},
-                sizeof(layout::DisplayParams), "display"),
-      batch_(device, "display") {}
+Display::Display(gpu::Device& device) : device_(device), batch_(device, "display") {
+    choose(Show::Colour);
+}
+
+void Display::choose(Show show) {
+    if (pipeline_ && show == show_) return;
+    const std::array specialization = {std::uint32_t(show)};
+    pipeline_.emplace(device_, kSpirv_display, std::array{gpu::Binding::StorageImage, gpu::Binding::StorageBuffer},
+                      specialization, sizeof(layout::DisplayParams), "display");
+    show_ = show;
+}
 
 void Display::convert(const LiveFilm& film, Show show, const ToneSettings& tone, double near, double far) {
     const gpu::StorageImage& image = film.film().image();
@@ -63,9 +68,10 @@ void Display::convert(const LiveFilm& film, Show show, const ToneSettings& tone,
         pixels_.emplace(device_, gpu::Buffer::Usage::Storage, gpu::Buffer::Place::Device, bytes, "displayed pixels");
         film_ = nullptr;
     }
+    choose(show);
     if (film_ != &film) {
         std::vector<gpu::Resource> resources = {&image, &*pixels_};
-        set_.emplace(device_, pipeline_, resources, "display");
+        set_.emplace(device_, *pipeline_, resources, "display");
         film_ = &film;
     }
     layout::DisplayParams params = paramsOf(film, show, tone);
@@ -74,7 +80,7 @@ void Display::convert(const LiveFilm& film, Show show, const ToneSettings& tone,
         params.high = float(far);
     }
     auto groups = [](int size) { return std::uint32_t((size + DISPLAY_GROUP - 1) / DISPLAY_GROUP); };
-    batch_.bind(pipeline_, *set_);
+    batch_.bind(*pipeline_, *set_);
     batch_.push(params);
     batch_.dispatch(groups(params.width), groups(params.height), 1);
     batch_.submit();

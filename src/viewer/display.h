@@ -21,8 +21,11 @@ class Display {
     const gpu::Buffer& pixels() const { return *pixels_; }
 
   private:
+    void choose(Show show);
+
     gpu::Device& device_;
-    gpu::ComputePipeline pipeline_;
+    std::optional<gpu::ComputePipeline> pipeline_;  ///< for show_
+    Show show_ = Show::Colour;
     gpu::Batch batch_;
     std::optional<gpu::Buffer> pixels_;
     std::optional<gpu::BindingSet> set_;

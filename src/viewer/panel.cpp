@@ -102,11 +102,11 @@ void keepSection(Ui& ui) {
 
 void figuresSection(const Figures& figures) {
     heading("Figures");
-    ImGui::TextDisabled(
-        "%s", fmt::format("{}\n{}x{}, sample {} of {}\n{:.1f} ms a frame\n{:.1f} million camera rays/s", figures.device,
-                          figures.width, figures.height, figures.samples, figures.target_samples,
-                          1e3 * figures.frame_seconds, 1e-6 * figures.rays_per_second)
-                  .c_str());
+    ImGui::TextDisabled("%s",
+                        fmt::format("{}\n{}x{}, sample {} of {}\n{:.1f} ms a frame, {:.1f} M rays/s", figures.device,
+                                    figures.width, figures.height, figures.samples, figures.target_samples,
+                                    1e3 * figures.frame_seconds, 1e-6 * figures.rays_per_second)
+                            .c_str());
 }
 
 }  // namespace

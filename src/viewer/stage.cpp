@@ -1,14 +1,30 @@
 #include "viewer/stage.h"
 
+#include <chrono>
 #include <cmath>
 
 namespace dsphere::viewer {
+
+namespace {
+
+MarchMethod withoutShadows(MarchMethod method) {
+    method.shadows = false;
+    return method;
+}
+
+}  // namespace
 
 Stage::Stage(gpu::Device& device, std::unique_ptr<Document> document, const MarchMethod& method)
     : device_(device),
       document_(std::move(document)),
       renderer_(device, document_->packed, document_->scene, method),
-      method_(method) {}
+      method_(method) {
+    if (method.marcher == Marcher::Exact)
+        translating_ = std::async(std::launch::async, [this, traits = document_->packed.traits] {
+            PassPipelines made(device_, traits, 1.0f, withoutShadows(method_), planesOf(Show::Colour));
+            if (traits.kinds & 1u << KIND_DISPLACED) made.full();
+        });
+}
 
 void Stage::setCamera(const Camera& camera, int width, int height) {
     Scene& scene = document_->scene;
@@ -48,13 +64,20 @@ bool Stage::prepareFilm(Show show, int width, int height) {
     return true;
 }
 
-void Stage::begin(const ViewSettings& view, Sampling sampling) {
+void Stage::begin(const ViewSettings& view, Sampling sampling, bool shadows) {
     const int width = renderer_.crop().width();
     const int middle = view.split ? std::clamp(int(std::lround(view.divider * width)), 0, width) : 0;
     std::vector<LivePart> parts;
     if (middle > 0) parts.push_back({Marcher::Naive, 0, middle});
     if (middle < width) parts.push_back({view.method, middle, width});
+    for (LivePart& part : parts) part.method.shadows = shadows;
     film_->begin(parts, sampling, std::uint32_t(document_->scene.sampler.seed));
+}
+
+void Stage::makeDraftsReady(const ViewSettings& view) {
+    if (!translating_.valid() || translating_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    translating_.get();
+    if (view.method == method_ && view.show == Show::Colour) film_->prepare(withoutShadows(method_));
 }
 
 std::optional<Pick> Stage::pick(const dvec2& share) {

@@ -4,6 +4,7 @@
 #include "viewer/picker.h"
 #include "viewer/show.h"
 
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -29,7 +30,10 @@ class Stage {
     bool hasFilm() const { return film_.has_value(); }
     LiveFilm& film() { return *film_; }
     /// Starts a picture with the present camera.
-    void begin(const ViewSettings& view, Sampling sampling);
+    void begin(const ViewSettings& view, Sampling sampling, bool shadows);
+    /// On a device that will need drafts without shadows: so that the first of them is not held up by their shaders,
+    /// which were translated on another thread meanwhile. Does nothing before these are, or a second time.
+    void makeDraftsReady(const ViewSettings& view);
 
     /// The ray of the film's pixel that holds a point, given as shares of the window.
     std::optional<Pick> pick(const dvec2& share);
@@ -41,6 +45,7 @@ class Stage {
     std::optional<LiveFilm> film_;
     std::optional<Picker> picker_;
     MarchMethod method_;
+    std::future<void> translating_;
 };
 
 }  // namespace dsphere::viewer

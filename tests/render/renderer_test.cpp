@@ -85,7 +85,9 @@ TEST_F(RendererTest, LivePicturesEqualRenders) {
         for (std::size_t c = 0; c < 3; ++c)
             EXPECT_EQ(image.channels[c].floats(), render.channels[c].floats()) << samples;
     }
-    live.begin({{Marcher::Exact, 0, kWidth}}, Sampling::UnshadowedCentres, 5);
+    MarchMethod unshadowed;
+    unshadowed.shadows = false;
+    live.begin({{unshadowed, 0, kWidth}}, Sampling::Centres, 5);
     while (!live.step(1.0)) {
     }
     Image bright = live.read();
