@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kMarchers[] = {"exact", "naive", "naive-shell", "lipschitz"};  // the order of Marcher
 
 void heading(const char* text) {
-    ImGui::Dummy(ImVec2(0.0f, 0.25f * ImGui::GetFontSize()));
+    ImGui::Dummy(ImVec2(0.0f, 0.1f * ImGui::GetFontSize()));
     ImGui::TextColored(ImVec4(0.45f, 0.70f, 1.0f, 1.0f), "%s", text);
 }
 

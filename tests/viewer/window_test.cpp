@@ -101,6 +101,20 @@ TEST_F(WindowTest, AWalk) {
     EXPECT_EQ(viewing.errors(), "") << "the validation layers are silent";
 }
 
+/// By the places that they have in a window of this size.
+TEST_F(WindowTest, ThePanelChoosesDetailAndFilter) {
+    Viewing viewing(*desktop_, folder_.path(), {"fractal.pgm", "--resolution", "1000,720", "--spp", "1"});
+    viewing.waitForStill();
+    hand("mousemove 300 360 key Tab");
+    viewing.waitFor("the panel", is("panel", true));
+    hand("mousemove 835 113 sleep 0.3 click 1 sleep 1 mousemove 707 184 sleep 0.3 click 1");
+    viewing.waitFor("a detail of one pixel", is("detail", 1));
+    viewing.waitForStill();
+    hand("mousemove 835 287 sleep 0.3 click 1 sleep 1 mousemove 707 337 sleep 0.3 click 1");
+    viewing.waitFor("the spline", is("filter", 1));
+    viewing.waitForStill();
+}
+
 TEST_F(WindowTest, SizesAndFiles) {
     Viewing viewing(*desktop_, folder_.path(), {"fractal.pgm", "--resolution", "640,360", "--spp", "2"});
     viewing.waitForStill();
