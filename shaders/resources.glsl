@@ -1,6 +1,6 @@
 // What the shaders read on the device, behind the names that the pure functions expect.
-// All shaders pass parameters as const: glslang copies others into variables, and drivers then take twice as long to
-// translate a shader.
+// The marcher's and the shading's parameters are const: glslang copies others into variables, and drivers then take
+// twice as long to translate a shader.
 #define real float
 #define INOUT(T) inout T
 
