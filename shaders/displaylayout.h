@@ -23,11 +23,10 @@ struct DisplayParams {
     uint layer, id_layer;  // of the film: where the values begin, and the shapes' (not of SHOW_COLOUR)
     float gain;            // SHOW_COLOUR: of the stored sums
     float low, high;       // the values that the scale of colours begins and ends at; of SHOW_RESIDUAL their log2
-    uint pad0;
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(DisplayParams) == 32);
+static_assert(sizeof(DisplayParams) == 28);
 }  // namespace dsphere::layout
 #endif
 #endif

@@ -45,7 +45,7 @@ using uint = std::uint32_t;
 #define SPEC_STRIDE 7     // float; lipschitz: the share of |p| - r that no step exceeds
 #define SPEC_DETAIL 8     // float; exact: pixels that a level of detail may be off, 0: none is used
 #define SPEC_SURFACES 9   // bit per SURFACE_ that the scene holds; read by the variants WITH_CURVED alone
-// Read by the variants WITH_PATHS alone.
+// Of the next nine, the variants without WITH_PATHS read SPEC_LIGHT_KINDS alone.
 #define SPEC_MATERIALS 10     // bit per MATERIAL_ that the scene holds
 #define SPEC_LIGHT_KINDS 11   // bit per LIGHT_ that the scene holds
 #define SPEC_CHECKERBOARDS 12 // 1 if an object has one
@@ -55,7 +55,7 @@ using uint = std::uint32_t;
 #define SPEC_GAUSSIAN 16      // 1: the pixel filter is the Gaussian of the tables; 0: a box
 #define SPEC_RADIUS_X 17      // float, of the pixel filter
 #define SPEC_RADIUS_Y 18
-#define SPEC_SHADOWS 19  // 0: light passes through everything
+#define SPEC_SHADOWS 19       // 0: light passes through everything
 #define SPEC_COUNT 20
 
 #define MARCHER_EXACT 0

@@ -221,11 +221,11 @@ int runRender(const RenderOptions& options) {
     // A driver compiles while the maps are read. A bad map is what the user hears of first, whatever the device.
     auto reading = std::async(std::launch::async, [&scene] { return loadSceneMaps(scene); });
     std::optional<gpu::Device> opened;
-    std::future<PassPipelines> compiling;
+    std::future<void> compiling;
     try {
         opened.emplace(gpu::DeviceOptions{options.common.device, options.common.validation});
         if (method.marcher == Marcher::Exact)
-            compiling = std::async(std::launch::async, makeAhead, std::ref(*opened), std::cref(scene), method,
+            compiling = std::async(std::launch::async, makeAhead, std::ref(*opened), traitsOf(scene), method,
                                    aovs ? aovs : kColourPlanes);
     } catch (...) {
         reading.get();
@@ -235,7 +235,7 @@ int runRender(const RenderOptions& options) {
     SceneMaps maps = reading.get();
     PackedScene packed = packScene(scene, maps, options.detail > 0.0f ? Levels::All : Levels::Finest);
     Renderer renderer(device, packed, scene, method);
-    if (compiling.valid()) renderer.adopt(compiling.get());
+    if (compiling.valid()) compiling.get();
 
     const Origin origin = originOf(scene, maps, method, device.info());
     Earlier earlier;

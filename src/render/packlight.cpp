@@ -1,7 +1,7 @@
 #include "render/packlight.h"
 
-#include "render/traits.h"
 #include "render/narrow.h"
+#include "render/traits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,12 +23,18 @@ double nearIrradiance(const Light& light, const LightData& data, const PathTable
     const double distance2 = std::max(glm::dot(dvec3(data.position), dvec3(data.position)), 1e-300);
     const double radiance = brightness(dvec3(data.radiance));
     switch (data.kind) {
-        case LIGHT_POINT: return radiance / distance2;
-        case LIGHT_SPHERE: return radiance * kPi * data.measure * data.measure / distance2;
-        case LIGHT_DISK: return radiance * data.measure / distance2;
-        case LIGHT_INFINITE: return radiance * kPi;
-        case LIGHT_IMAGE: return radiance * kPi * tables.light_luminance;
-        default: return brightness(std::get<DistantLight>(light).radiance);
+        case LIGHT_POINT:
+            return radiance / distance2;
+        case LIGHT_SPHERE:
+            return radiance * kPi * data.measure * data.measure / distance2;
+        case LIGHT_DISK:
+            return radiance * data.measure / distance2;
+        case LIGHT_INFINITE:
+            return radiance * kPi;
+        case LIGHT_IMAGE:
+            return radiance * kPi * tables.light_luminance;
+        default:
+            return brightness(std::get<DistantLight>(light).radiance);
     }
 }
 

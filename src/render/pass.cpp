@@ -70,11 +70,10 @@ const gpu::ComputePipeline& PassPipelines::full() {
     return *full_;
 }
 
-PassPipelines makeAhead(gpu::Device& device, const Scene& scene, const MarchMethod& method, std::uint32_t mask) {
+void makeAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method, std::uint32_t mask) {
     assert(method.marcher == Marcher::Exact);
-    PassPipelines made(device, traitsOf(scene), 1.0f, method, mask);
-    if (made.traits().kinds & 1u << KIND_DISPLACED) made.full();
-    return made;
+    PassPipelines made(device, traits, 1.0f, method, mask);
+    if (traits.kinds & 1u << KIND_DISPLACED) made.full();
 }
 
 Pass::Pass(gpu::Device& device, PassPipelines& pipelines, const DeviceScene& device_scene,

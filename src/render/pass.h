@@ -19,9 +19,6 @@ class PassPipelines {
     PassPipelines(gpu::Device& device, const SceneTraits& traits, float stride, const MarchMethod& method,
                   std::uint32_t mask);
 
-    const SceneTraits& traits() const { return traits_; }
-    const MarchMethod& method() const { return method_; }
-    std::uint32_t mask() const { return mask_; }
     const gpu::ComputePipeline& first() const { return first_; }
     const gpu::ComputePipeline& full();
     /// Whether full() was dispatched: the first time drivers may compile.
@@ -39,9 +36,9 @@ class PassPipelines {
     std::optional<gpu::ComputePipeline> full_;
 };
 
-/// Those of an exact marcher, all made at once, on a thread of the caller's: while others use the device, and before
-/// the scene's maps are read.
-PassPipelines makeAhead(gpu::Device& device, const Scene& scene, const MarchMethod& method, std::uint32_t mask);
+/// Makes those of an exact marcher, all at once, for the device to find when they are asked for: on a thread of the
+/// caller's, while others use the device, and before the scene's maps are read.
+void makeAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method, std::uint32_t mask);
 
 /// One film, filled in two steps: tiles by the one pipeline, then the pixels that it left by the other.
 class Pass {

@@ -10,8 +10,8 @@
 
 namespace dsphere {
 
-/// Everything that is looked up, and where it lies in `values`. Holds as long as maps, materials' roughness and the pixel
-/// filter stay.
+/// Everything that is looked up, and where it lies in `values`. Holds as long as maps, materials' roughness and the
+/// pixel filter stay.
 struct PathTables {
     struct Loss {
         int place;
@@ -26,14 +26,15 @@ struct PathTables {
 /// Empty for a scene that needs none.
 PathTables makePathTables(const Scene& scene, const SceneMaps& maps);
 
-/// One axis of the Gaussian pixel filter: the place, in pixels from the centre, under which each of FILTER_INTERVALS equal
-/// shares of the kernel lies; FILTER_INTERVALS + 1 values from -radius to radius.
+/// One axis of the Gaussian pixel filter: the place, in pixels from the centre, under which each of FILTER_INTERVALS
+/// equal shares of the kernel lies; FILTER_INTERVALS + 1 values from -radius to radius.
 std::vector<float> filterPlaces(double radius, double falloff);
 
 /// Of GGX facets that reflect all: the share of light that they do not reflect at once.
 struct FacetLoss {
-    std::vector<float> by_cosine;  ///< at cosines (i / LOSS_INTERVALS)^2, i from -1 to LOSS_INTERVALS + 1, the ends prolonged
-    double mean = 0.0;             ///< 2 int loss c dc
+    std::vector<float>
+        by_cosine;      ///< at cosines (i / LOSS_INTERVALS)^2, i from -1 to LOSS_INTERVALS + 1, the ends prolonged
+    double mean = 0.0;  ///< 2 int loss c dc
 };
 FacetLoss facetLoss(double alpha);
 

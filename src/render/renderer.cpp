@@ -67,10 +67,6 @@ void Renderer::update(bool reliefs) {
     device_scene_.updateLook(packed_);
 }
 
-void Renderer::adopt(PassPipelines made) {
-    if (made.traits() == packed_.traits) pipelines_.try_emplace({made.method(), made.mask()}, std::move(made));
-}
-
 PassPipelines& Renderer::pipelines(const MarchMethod& method, std::uint32_t mask) {
     auto found = pipelines_.find({method, mask});
     if (found == pipelines_.end())

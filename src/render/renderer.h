@@ -48,8 +48,6 @@ class Renderer {
 
     const RenderStats& stats() const { return stats_; }
     /// For pictures of the caller's own: what this renderer's are made with.
-    /// Takes pipelines that were made ahead (makeAhead), unless they are for another scene.
-    void adopt(PassPipelines made);
     PassPipelines& pipelines(const MarchMethod& method, std::uint32_t mask);
     const DeviceScene& deviceScene() const { return device_scene_; }
     const Box& crop() const { return crop_; }

@@ -86,8 +86,7 @@ void App::startPicture(bool draft) {
     if (stage_->prepareFilm(view_.show, window_.width(), window_.height())) display_.forget();
     stage_->setCamera(control_->camera(), width, height);
     camera_is_new_ = false;
-    Sampling sampling = view_.show == Show::Colour ? Sampling::Jittered : Sampling::Centres;
-    if (draft) sampling = Sampling::Centres;
+    const Sampling sampling = draft || view_.show != Show::Colour ? Sampling::Centres : Sampling::Jittered;
     stage_->begin(view_, sampling, !draft || schedule_.shadows());
     draft ? schedule_.beginDraft() : schedule_.beginStill();
     begun_ = true;

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <functional>
 
 namespace dsphere::viewer {
 
@@ -20,10 +21,8 @@ Stage::Stage(gpu::Device& device, std::unique_ptr<Document> document, const Marc
       renderer_(device, document_->packed, document_->scene, method),
       method_(method) {
     if (method.marcher == Marcher::Exact)
-        translating_ = std::async(std::launch::async, [this, traits = document_->packed.traits] {
-            PassPipelines made(device_, traits, 1.0f, withoutShadows(method_), planesOf(Show::Colour));
-            if (traits.kinds & 1u << KIND_DISPLACED) made.full();
-        });
+        translating_ = std::async(std::launch::async, makeAhead, std::ref(device_), document_->packed.traits,
+                                  withoutShadows(method_), planesOf(Show::Colour));
 }
 
 void Stage::setCamera(const Camera& camera, int width, int height) {
