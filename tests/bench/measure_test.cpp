@@ -8,6 +8,7 @@
 #include "tests/support/expecterror.h"
 #include "tests/support/keepdriver.h"
 #include "tests/support/tempfolder.h"
+#include "tests/support/testdevice.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,7 @@ class MeasureTest : public testing::Test {
 
     static gpu::DeviceOptions options(const test::TempFolder& cache) {
         setenv("XDG_CACHE_HOME", cache.path().c_str(), 1);
-        return {.selector = "cpu", .validation = true};
+        return {.selector = test::testDevice(), .validation = true};
     }
 
     test::TempFolder cache_;

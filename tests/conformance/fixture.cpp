@@ -3,6 +3,7 @@
 #include "gpu/device.h"
 #include "tests/support/keepdriver.h"
 #include "tests/support/tempfolder.h"
+#include "tests/support/testdevice.h"
 
 #include <cstdlib>
 
@@ -18,7 +19,7 @@ struct OwnDevice {
 
     static gpu::DeviceOptions options(const test::TempFolder& cache) {
         setenv("XDG_CACHE_HOME", cache.path().c_str(), 1);
-        return {.selector = "cpu", .validation = true};
+        return {.selector = test::testDevice(), .validation = true};
     }
 };
 

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "tests/support/expecterror.h"
 #include "tests/support/tempfolder.h"
+#include "tests/support/testdevice.h"
 #include "tests/viewer/desktop.h"
 #include "viewer/window.h"
 
@@ -54,7 +55,7 @@ class PresenterTest : public testing::Test {
         unsetenv("WAYLAND_DISPLAY");
         window_ = std::make_unique<Window>(64, 48, "presenter");
         const gpu::Presentation presentation = window_->presentation(true);
-        device_ = std::make_unique<gpu::Device>(gpu::DeviceOptions{"cpu", true, &presentation});
+        device_ = std::make_unique<gpu::Device>(gpu::DeviceOptions{test::testDevice(), true, &presentation});
         const ChainCalls own = ChainCalls::of(*device_);
         real_acquire = own.acquire;
         real_present = own.present;
