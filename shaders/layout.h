@@ -244,8 +244,9 @@ struct RenderParams {
 };
 
 // The head of the list of pixels (x | y << 16, film pixels) that follows it.
+// Its first three numbers are those of an indirect dispatch.
 struct RetryHead {
-    uint count, pad0, pad1, pad2;
+    uint groups_x, groups_y, groups_z, count;
 };
 
 // A ray in the object space of object 0, units of R: a point and a direction of any length, each a row and its _lo row.

@@ -133,7 +133,9 @@ void shade(const ivec2 pixel) {
     int sample_index = pixel.x >= 0 ? params.sample_index : 0;
     Gathered gathered = gatherSample(pixel + ivec2(params.film_x, params.film_y), sample_index);
     if (gathered.doubtful) {
-        retry_pixels[atomicAdd(retry.count, 1u)] = uint(pixel.x) | uint(pixel.y) << 16;
+        uint place = atomicAdd(retry.count, 1u);
+        retry_pixels[place] = uint(pixel.x) | uint(pixel.y) << 16;
+        if (place % (GROUP_SIZE_X * GROUP_SIZE_Y) == 0u) atomicAdd(retry.groups_x, 1u);
         return;
     }
     putGeometry(pixel, gathered.point);

@@ -15,7 +15,7 @@ VkBufferUsageFlags usageFlags(Buffer::Usage usage) {
     const VkBufferUsageFlags copies = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
     switch (usage) {
         case Buffer::Usage::Storage:
-            return copies | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+            return copies | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
         case Buffer::Usage::Uniform:
             return copies | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT;
         case Buffer::Usage::Vertices:

@@ -110,13 +110,21 @@ void Batch::barrier() {
                       VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT);
 }
 
-void Batch::clear(const Buffer& buffer, std::uint64_t bytes) {
-    assert(bytes % 4 == 0 && bytes <= buffer.size());
+void Batch::dispatchIndirect(const Buffer& counts) {
+    assert(bound_ && counts.usage() == Buffer::Usage::Storage && counts.size() >= 12);
+    commands_.barrier(VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT,
+                      VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT,
+                      VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_INDIRECT_COMMAND_READ_BIT);
+    device_->vk().vkCmdDispatchIndirect(commands_.handle(), counts.handle(), 0);
+}
+
+void Batch::write(const Buffer& buffer, const void* data, std::uint64_t bytes) {
+    assert(bytes % 4 == 0 && bytes <= buffer.size() && bytes <= 65536);
     constexpr VkPipelineStageFlags transfer = VK_PIPELINE_STAGE_TRANSFER_BIT;
     constexpr VkPipelineStageFlags compute = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
-    commands_.barrier(compute | transfer, VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT, transfer,
-                      VK_ACCESS_TRANSFER_WRITE_BIT);
-    device_->vk().vkCmdFillBuffer(commands_.handle(), buffer.handle(), 0, bytes, 0);
+    commands_.barrier(compute | transfer | VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT,
+                      VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT, transfer, VK_ACCESS_TRANSFER_WRITE_BIT);
+    device_->vk().vkCmdUpdateBuffer(commands_.handle(), buffer.handle(), 0, bytes, data);
     commands_.barrier(transfer, VK_ACCESS_TRANSFER_WRITE_BIT, compute | transfer,
                       VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_READ_BIT);
 }

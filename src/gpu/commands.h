@@ -55,11 +55,14 @@ class Batch {
     /// Counts of workgroups, each > 0; Error(Failure) beyond max_workgroup_count. Dispatches without a barrier()
     /// between them may overlap.
     void dispatch(std::uint32_t x, std::uint32_t y, std::uint32_t z);
+    /// As many workgroups as the first three 32-bit numbers of a Storage buffer say, each at most 65,535, as all before
+    /// leaves them: a barrier() is included.
+    void dispatchIndirect(const Buffer& counts);
     /// All writes of the dispatches before are seen by all reads and writes of those after.
     void barrier();
 
-    /// The buffer's first bytes, a multiple of 4, become 0: after all before, before all that follows.
-    void clear(const Buffer& buffer, std::uint64_t bytes);
+    /// Writes the buffer's first bytes, a multiple of 4 of at most 65,536: after all before, before all that follows.
+    void write(const Buffer& buffer, const void* data, std::uint64_t bytes);
     /// Copies the first bytes of `from`, as the dispatches before leave them, to `to`: for the host after submit().
     void copy(const Buffer& from, const Buffer& to, std::uint64_t bytes);
 

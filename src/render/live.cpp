@@ -18,17 +18,11 @@ void LiveFilm::begin(std::vector<LivePart> parts, Sampling sampling, std::uint32
     box_ = renderer_.crop();
     assert(!parts.empty() && box_.width() <= int(film_.image().width()) &&
            box_.height() <= int(film_.image().height()));
-    // A picture costs about what the one before it did: a draft is then one round, not five that grow.
-    std::vector<double> pixel_seconds(parts.size(), 0.0);
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        for (std::size_t k = 0; k < runs_.size(); ++k)
-            if (parts_[k].method == parts[i].method) pixel_seconds[i] = runs_[k].pixelSeconds();
     parts_ = std::move(parts);
     runs_.clear();
     for (const LivePart& part : parts_) {
         prepare(part.method);
-        runs_.emplace_back(makeTiles(renderer_.spans(), part.x0, part.x1), box_.x0, box_.y0,
-                           pixel_seconds[runs_.size()]);
+        runs_.emplace_back(makeTiles(renderer_.spans(), part.x0, part.x1), box_.x0, box_.y0);
     }
     film_.clear();
     part_ = 0;

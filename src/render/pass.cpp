@@ -54,26 +54,16 @@ const Variants kBaseline = {kSpirv_render_baseline, kSpirv_render_baseline_curve
 
 PassPipelines::PassPipelines(gpu::Device& device, const SceneTraits& traits, float stride, const MarchMethod& method,
                              std::uint32_t mask)
-    : device_(&device),
-      traits_(traits),
-      stride_(stride),
-      method_(method),
-      mask_(mask),
-      first_(make((method.marcher == Marcher::Exact ? kFilter : kBaseline).of(traits))) {}
-
-gpu::ComputePipeline PassPipelines::make(std::span<const std::uint32_t> spirv) const {
-    return makeMarchPipeline(*device_, traits_, stride_, spirv, Shader::Render, method_, mask_);
-}
-
-const gpu::ComputePipeline& PassPipelines::full() {
-    if (!full_) full_ = make(kFull.of(traits_));
-    return *full_;
+    : first_(makeMarchPipeline(device, traits, stride,
+                               (method.marcher == Marcher::Exact ? kFilter : kBaseline).of(traits), Shader::Render,
+                               method, mask)) {
+    if (method.marcher == Marcher::Exact && (traits.kinds & 1u << KIND_DISPLACED))
+        full_ = makeMarchPipeline(device, traits, stride, kFull.of(traits), Shader::Render, method, mask);
 }
 
 void makeAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method, std::uint32_t mask) {
     assert(method.marcher == Marcher::Exact);
-    PassPipelines made(device, traits, 1.0f, method, mask);
-    if (traits.kinds & 1u << KIND_DISPLACED) made.full();
+    PassPipelines(device, traits, 1.0f, method, mask);
 }
 
 Pass::Pass(gpu::Device& device, PassPipelines& pipelines, const DeviceScene& device_scene,
@@ -83,50 +73,44 @@ Pass::Pass(gpu::Device& device, PassPipelines& pipelines, const DeviceScene& dev
       head_(device, gpu::Buffer::Usage::Staging, gpu::Buffer::Place::Host, sizeof(layout::RetryHead), "retry head"),
       set_(device, pipelines.first(), bindAll(device_scene, film, retry_list_), "render"),
       batch_(device, "render") {
-    warmUp(pipelines.first());
+    warmUp();
 }
 
 // Drivers compile at the first dispatch: one without pixels pays for it, outside of the timing.
-void Pass::warmUp(const gpu::ComputePipeline& pipeline) {
-    batch_.bind(pipeline, set_);
-    batch_.push(layout::RenderParams{});
-    batch_.dispatch(1, 1, 1);
+void Pass::warmUp() {
+    const layout::RetryHead none = {0, 1, 1, 0};
+    batch_.write(retry_list_, &none, sizeof(none));
+    for (const gpu::ComputePipeline* pipeline : {&pipelines_.first(), pipelines_.full() ? &*pipelines_.full() : nullptr}) {
+        if (!pipeline) continue;
+        batch_.bind(*pipeline, set_);
+        batch_.push(layout::RenderParams{});
+        batch_.dispatch(1, 1, 1);
+    }
     batch_.submit();
 }
 
 double Pass::run(std::span<const layout::RenderParams> tiles) {
     if (tiles.empty()) return 0.0;
-    batch_.clear(retry_list_, sizeof(layout::RetryHead));
+    const layout::RetryHead none = {0, 1, 1, 0};
+    batch_.write(retry_list_, &none, sizeof(none));
     batch_.bind(pipelines_.first(), set_);
     for (const layout::RenderParams& tile : tiles) {
         batch_.push(tile);
         batch_.dispatch(groups(tile.tile_x1 - tile.tile_x, GROUP_SIZE_X),
                         groups(tile.tile_y1 - tile.tile_y, GROUP_SIZE_Y), 1);
     }
+    if (pipelines_.full()) {
+        batch_.bind(*pipelines_.full(), set_);
+        batch_.push(tiles.front());
+        batch_.dispatchIndirect(retry_list_);
+    }
     batch_.copy(retry_list_, head_, sizeof(layout::RetryHead));
     double seconds = batch_.submit();
     head_.invalidate();
     layout::RetryHead head;
     std::memcpy(&head, head_.mapped().data(), sizeof(head));
-    return head.count == 0 ? seconds : seconds + retry(head, tiles.front());
-}
-
-// On an empty list, which is put back afterwards.
-void Pass::warmUpFull(const layout::RetryHead& head) {
-    layout::RetryHead none = {};
-    retry_list_.upload(0, sizeof(none), &none);
-    warmUp(pipelines_.full());
-    pipelines_.full_is_warm = true;
-    retry_list_.upload(0, sizeof(head), &head);
-}
-
-double Pass::retry(const layout::RetryHead& head, const layout::RenderParams& params) {
     retried_ += head.count;
-    if (!pipelines_.full_is_warm) warmUpFull(head);
-    batch_.bind(pipelines_.full(), set_);
-    batch_.push(params);
-    batch_.dispatch(groups(int(head.count), GROUP_SIZE_X * GROUP_SIZE_Y), 1, 1);
-    return batch_.submit();
+    return seconds;
 }
 
 }  // namespace dsphere

@@ -12,7 +12,7 @@
 namespace dsphere {
 
 /// The pipelines that fill a film with the planes of one mask: MARCH_FILTER, and MARCH_FULL for the pixels that it
-/// leaves; or MARCH_BASELINE, which leaves none. The second is made when a pixel needs it.
+/// leaves; or MARCH_BASELINE, which leaves none, as a filter without a displaced sphere leaves none.
 class PassPipelines {
   public:
     /// `stride`: safeStride().
@@ -20,18 +20,12 @@ class PassPipelines {
                   std::uint32_t mask);
 
     const gpu::ComputePipeline& first() const { return first_; }
-    const gpu::ComputePipeline& full();
-    /// Whether full() was dispatched: the first time drivers may compile.
-    bool full_is_warm = false;
+    const std::optional<gpu::ComputePipeline>& full() const { return full_; }
+
+    /// What a pixel of the last round took, of whatever picture: the first round of the next is sized by it. 0: unknown.
+    double pixel_seconds = 0.0;
 
   private:
-    gpu::ComputePipeline make(std::span<const std::uint32_t> spirv) const;
-
-    gpu::Device* device_;
-    SceneTraits traits_;
-    float stride_;
-    MarchMethod method_;
-    std::uint32_t mask_;
     gpu::ComputePipeline first_;
     std::optional<gpu::ComputePipeline> full_;
 };
@@ -43,21 +37,21 @@ void makeAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod
 /// One film, filled in two steps: tiles by the one pipeline, then the pixels that it left by the other.
 class Pass {
   public:
-    /// Film pixels that one run() can take.
-    static constexpr std::uint64_t kMostPixels = 1u << 20;
+    /// Film pixels that one run() can take: if all are left, a dispatch of as many groups as every device has in a row.
+    static constexpr std::uint64_t kMostPixels = std::uint64_t(65535) * GROUP_SIZE_X * GROUP_SIZE_Y;
 
-    /// Warms the pipeline up. All that is given must outlive the pass.
+    /// Warms the pipelines up. All that is given must outlive the pass.
     Pass(gpu::Device& device, PassPipelines& pipelines, const DeviceScene& device_scene, const gpu::StorageImage& film);
 
     /// Renders the tiles, one RenderParams each, of at most kMostPixels together; returns the device's seconds.
     double run(std::span<const layout::RenderParams> tiles);
     /// Pixels that were done again, so far.
     std::uint64_t retried() const { return retried_; }
+    /// PassPipelines::pixel_seconds.
+    double& pixelSeconds() { return pipelines_.pixel_seconds; }
 
   private:
-    void warmUp(const gpu::ComputePipeline& pipeline);
-    void warmUpFull(const layout::RetryHead& head);
-    double retry(const layout::RetryHead& head, const layout::RenderParams& params);
+    void warmUp();
 
     PassPipelines& pipelines_;
     gpu::Buffer retry_list_;  ///< RetryHead, then pixels

@@ -29,26 +29,26 @@ std::vector<Box> makeTiles(const std::vector<Span>& spans, int x0, int x1) {
     return tiles;
 }
 
-// As many tiles a round as fit the time target, at the rate of the last round, and the pass; but never more than twice
-// the last round, whose tiles may have been cheap.
+// As many tiles a round as fit the time target, at the rate of the last round, and the pass. The last tiles may have been
+// cheap: so at most twice as many as last time, unless that took much less than the target.
 double TileRun::step(Pass& pass, int sample, std::uint32_t seed, double target) {
     std::vector<layout::RenderParams> round;
-    double most = pixel_seconds_ > 0.0 ? target / pixel_seconds_ : 1.0;
-    if (last_pixels_ > 0) most = std::min(most, 2.0 * double(last_pixels_));
-    most = std::min(most, double(Pass::kMostPixels));
+    double most = pass.pixelSeconds() > 0.0 ? target / pass.pixelSeconds() : 1.0;
+    if (last_seconds_ > 0.0)
+        most = std::min(most, double(last_pixels_) * std::clamp(target / last_seconds_ / 4.0, 2.0, 16.0));
     std::uint64_t pixels = 0;
     while (!done()) {
         const Box& box = tiles_[next_];
         const std::uint64_t more = std::uint64_t(box.width()) * std::uint64_t(box.height());
-        if (!round.empty() && double(pixels + more) > most) break;
+        if (!round.empty() && (double(pixels) + 0.5 * double(more) > most || pixels + more > Pass::kMostPixels)) break;
         round.push_back({box.x0, box.y0, box.x1, box.y1, film_x_, film_y_, sample, seed});
         pixels += more;
         ++next_;
     }
-    double seconds = pass.run(round);
-    if (pixels > 0) pixel_seconds_ = seconds / double(pixels);
     last_pixels_ = pixels;
-    return seconds;
+    last_seconds_ = pass.run(round);
+    if (pixels > 0) pass.pixelSeconds() = last_seconds_ / double(pixels);
+    return last_seconds_;
 }
 
 }  // namespace dsphere

@@ -84,18 +84,41 @@ TEST_F(DispatchTest, BarrierOrdersDependentDispatches) {
     for (std::uint32_t i = 0; i < kCount; ++i) ASSERT_EQ(values[i], once(once(i))) << i;
 }
 
-TEST_F(DispatchTest, ClearsAndCopiesInTheOrderOfTheBatch) {
+TEST_F(DispatchTest, AsManyGroupsAsABufferSays) {
+    const ComputePipeline pipeline = affinePipeline(device_, 3);
+    const BindingSet set(device_, pipeline, {&a_, &b_}, "a to b");
+    const Buffer counts(device_, Buffer::Usage::Storage, Buffer::Place::Device, 16, "counts");
+    const std::vector<std::uint32_t> before = read(b_);
+    const std::uint32_t none[3] = {0, 1, 1}, some[3] = {kGroups, 1, 1};
+    Batch batch(device_);
+    batch.write(counts, none, 12);
+    batch.bind(pipeline, set);
+    batch.push(AffinePush{kCount, 1});
+    batch.dispatchIndirect(counts);
+    batch.submit();
+    EXPECT_EQ(read(b_), before);
+    batch.write(counts, some, 12);
+    batch.bind(pipeline, set);
+    batch.push(AffinePush{kCount, 1});
+    batch.dispatchIndirect(counts);
+    batch.submit();
+    const std::vector<std::uint32_t> from = read(a_), to = read(b_);
+    for (std::uint32_t i = 0; i < kCount; ++i) ASSERT_EQ(to[i], from[kCount - 1 - i] * 3 + 1) << i;
+}
+
+TEST_F(DispatchTest, WritesAndCopiesInTheOrderOfTheBatch) {
     const ComputePipeline pipeline = affinePipeline(device_, 3);
     const BindingSet set(device_, pipeline, {&a_, &b_}, "a to b");
     const Buffer before(device_, Buffer::Usage::Staging, Buffer::Place::Host, 16, "before");
     const Buffer after(device_, Buffer::Usage::Staging, Buffer::Place::Host, 16, "after");
+    const std::uint32_t zeros[2] = {};
     Batch batch(device_);
-    batch.clear(a_, 8);
+    batch.write(a_, zeros, 8);
     batch.bind(pipeline, set);
     batch.push(AffinePush{kCount, 1});
     batch.dispatch(kGroups, 1, 1);
     batch.copy(b_, before, 16);
-    batch.clear(b_, 8);
+    batch.write(b_, zeros, 8);
     batch.copy(b_, after, 16);
     batch.submit();
     auto words = [](const Buffer& buffer) {
