@@ -11,6 +11,8 @@ const real kPieceAcross = real(1.0 / 32.0);
 const real kPieceLength = real(0.02);
 // Closer to the axis than this every ray is in doubt.
 const real kAxisDoubt = real(2e-5);
+// Rounding of s between this walk and the other.
+const real kClearMargin = real(1e-5);
 // Longer searches are left to the other walk, whose own steps count towards the same limit of the device.
 const int kFilterSteps = 12000;
 
@@ -281,6 +283,12 @@ Filtered filterMarch(const Ray ray, const MapData map, const real base, const re
     answer.stroll.quad = fetchPatch(map, scale, answer.hit ? answer.stroll.cell : ivec2(0));
 #endif
     return answer;
+}
+
+// Up to this s nothing is met, for certain: pieces start where bounds or the piece before said so.
+real clearUntil(const Filtered answer) {
+    bool cut_short = answer.steps >= kFilterSteps;
+    return cut_short ? -kInfinity : answer.piece.s - kClearMargin;
 }
 
 // A float point, and the true surface of the answer's cell seen from there.

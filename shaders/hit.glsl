@@ -4,6 +4,7 @@ struct ObjectHit {
     bool hit, inside, exhausted;
     bool doubtful;  // only with MARCH_FILTER: full precision must decide, the rest means nothing
     int steps;
+    real clear;    // after a filter's hit or doubt: up to this s of the ray nothing is met
     vec3 p, n;     // object space, units of R; n unit, outward (disk: towards the ray's origin)
 #ifdef WITH_CURVED
     vec3 shading_n;  // n, or the normal of a smoother surface
@@ -22,6 +23,7 @@ ObjectHit noHit() {
     hit.exhausted = false;
     hit.doubtful = false;
     hit.steps = 0;
+    hit.clear = -kInfinity;
     hit.p = vec3(real(0));
     hit.n = vec3(real(0));
 #ifdef WITH_CURVED

@@ -243,10 +243,16 @@ struct RenderParams {
     uint seed;
 };
 
-// The head of the list of pixels (x | y << 16, film pixels) that follows it.
+// The head of the list of pixels that follows it.
 // Its first three numbers are those of an indirect dispatch.
 struct RetryHead {
     uint groups_x, groups_y, groups_z, count;
+};
+
+// A pixel of the list: x and y in 16 bits each, and SurfacePoint::clear of its camera ray.
+struct RetryPixel {
+    uint pixel;
+    float clear;
 };
 
 // A ray in the object space of object 0, units of R: a point and a direction of any length, each a row and its _lo row.
@@ -274,6 +280,7 @@ static_assert(sizeof(TriangleData) == 64);
 static_assert(sizeof(MapData) == 32 * 4);
 static_assert(sizeof(RenderParams) == 32);
 static_assert(sizeof(RetryHead) == 16);
+static_assert(sizeof(RetryPixel) == 8);
 }  // namespace dsphere::layout
 #endif
 #endif

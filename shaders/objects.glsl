@@ -143,6 +143,7 @@ ObjectHit hitDisplacedFiltered(const ObjectData object, const MapData map, const
     hit.inside = answer.inside;
     hit.doubtful = answer.doubtful;
     hit.steps = answer.steps;
+    hit.clear = clearUntil(answer);
     if (answer.hit) {
         Crossing crossing = filterRefine(ray, map, basePair(object), answer);
         takeCrossing(hit, map, ray, crossing, answer.stroll.cell);

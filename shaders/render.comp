@@ -23,7 +23,7 @@ layout(local_size_x = GROUP_SIZE_X, local_size_y = GROUP_SIZE_Y) in;
 layout(binding = BINDING_FILM, r32ui) uniform uimage2DArray film;
 layout(std430, binding = BINDING_RETRY) buffer Retry {
     RetryHead retry;
-    uint retry_pixels[];
+    RetryPixel retry_pixels[];
 };
 layout(push_constant) uniform Params { RenderParams params; };
 
@@ -72,12 +72,16 @@ void putGeometry(const ivec2 pixel, const SurfacePoint point) {
 }
 
 // False for an invocation without a pixel.
-bool findPixel(out ivec2 pixel) {
+bool findPixel(out ivec2 pixel, out float clear) {
 #if MARCH_WITH == MARCH_FULL
     uint index = gl_WorkGroupID.x * (GROUP_SIZE_X * GROUP_SIZE_Y) + gl_LocalInvocationIndex;
     bool listed = index < retry.count;
-    uint packed = listed ? retry_pixels[index] : 0u;
-    pixel = ivec2(packed & 0xffffu, packed >> 16);
+    RetryPixel found;
+    found.pixel = 0u;
+    found.clear = 0.0;
+    if (listed) found = retry_pixels[index];
+    pixel = ivec2(found.pixel & 0xffffu, found.pixel >> 16);
+    clear = found.clear;
     return listed;
 #else
     // Eight lanes in a row are 4 x 2 pixels: their rays differ less than those of 8 x 1.
@@ -85,12 +89,13 @@ bool findPixel(out ivec2 pixel) {
     ivec2 within = ivec2((lane.x & 3) | (lane.y & 1) << 2, (lane.y & 6) | lane.x >> 2);
     ivec2 group = ivec2(gl_WorkGroupID.xy) * ivec2(GROUP_SIZE_X, GROUP_SIZE_Y);
     pixel = ivec2(params.tile_x, params.tile_y) + group + within;
+    clear = -kInfinity;
     return pixel.x < params.tile_x1 && pixel.y < params.tile_y1;
 #endif
 }
 
 #ifdef WITH_PATHS
-Gathered gatherSample(const ivec2 raster, const int sample_index) {
+Gathered gatherSample(const ivec2 raster, const float clear, const int sample_index) {
     Rules rules;
     rules.centre = sample_index < 0;
     rules.shadowed = kShadows != 0;
@@ -99,7 +104,7 @@ Gathered gatherSample(const ivec2 raster, const int sample_index) {
     numbers.key = pixelKey(raster.x, raster.y, params.seed);
     numbers.index = max(sample_index, 0);
     vec2 jitter = rules.centre ? vec2(0.0) : filterPlace(numbersAt(numbers, 0, 0u));
-    return gather(cameraSegment(vec2(raster), jitter), numbers, rules);
+    return gather(cameraSegment(vec2(raster), jitter, clear), numbers, rules);
 }
 #else
 struct Gathered {
@@ -109,11 +114,11 @@ struct Gathered {
     bool doubtful;
 };
 
-Gathered gatherSample(const ivec2 raster, const int sample_index) {
+Gathered gatherSample(const ivec2 raster, const float clear, const int sample_index) {
     Gathered result;
     vec2 jitter = vec2(0.0);
     if (sample_index >= 0) jitter = samplePosition(raster.x, raster.y, sample_index, params.seed);
-    result.point = nearestHit(cameraSegment(vec2(raster), jitter));
+    result.point = nearestHit(cameraSegment(vec2(raster), jitter, clear));
     result.doubtful = result.point.doubtful;
     result.albedo = vec3(0.0);
     result.colour = vec3(0.0);
@@ -128,13 +133,14 @@ Gathered gatherSample(const ivec2 raster, const int sample_index) {
 #endif
 
 // Film planes of a pixel whose ray, or another that it needs, is in doubt are left to the other precision.
-void shade(const ivec2 pixel) {
+void shade(const ivec2 pixel, const float clear) {
     // Chosen by pixel, although it is the same for all: see onlyObject().
     int sample_index = pixel.x >= 0 ? params.sample_index : 0;
-    Gathered gathered = gatherSample(pixel + ivec2(params.film_x, params.film_y), sample_index);
+    Gathered gathered = gatherSample(pixel + ivec2(params.film_x, params.film_y), clear, sample_index);
     if (gathered.doubtful) {
         uint place = atomicAdd(retry.count, 1u);
-        retry_pixels[place] = uint(pixel.x) | uint(pixel.y) << 16;
+        retry_pixels[place].pixel = uint(pixel.x) | uint(pixel.y) << 16;
+        retry_pixels[place].clear = gathered.point.clear;
         if (place % (GROUP_SIZE_X * GROUP_SIZE_Y) == 0u) atomicAdd(retry.groups_x, 1u);
         return;
     }
@@ -147,5 +153,6 @@ void shade(const ivec2 pixel) {
 
 void main() {
     ivec2 pixel;
-    if (findPixel(pixel)) shade(pixel);
+    float clear;
+    if (findPixel(pixel, clear)) shade(pixel, clear);
 }

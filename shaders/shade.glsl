@@ -6,6 +6,7 @@ struct SurfacePoint {
     bool hit, inside, exhausted, doubtful;
     int object, steps;
     int level;  // of detail that its map was marched at
+    float clear;  // of a scene's only object: ObjectHit::clear
     float t;
     vec3 from_first;  // position seen from object 0's centre
     vec3 position, normal;
@@ -67,6 +68,7 @@ MapData mapOf(const int k, const int level) {
 // Where a ray starts: at the camera, through a place of the picture, or on a surface.
 struct Segment {
     vec2 raster, jitter;
+    float clear;  // of a camera's ray with a scene's only object: up to this s nothing is met
 #ifdef WITH_PATHS
     bool camera;
     int object, level;  // that it starts on, and of whose detail
@@ -76,10 +78,11 @@ struct Segment {
 #endif
 };
 
-Segment cameraSegment(const vec2 raster, const vec2 jitter) {
+Segment cameraSegment(const vec2 raster, const vec2 jitter, const float clear) {
     Segment segment;
     segment.raster = raster;
     segment.jitter = jitter;
+    segment.clear = clear;
 #ifdef WITH_PATHS
     segment.camera = true;
     segment.object = 0;
@@ -103,7 +106,14 @@ Ray segmentRay(const Segment segment, const int k, const ObjectData object, cons
         return secondaryRay(startFor(k, object, segment.object, segment.start),
                             objectFromWorldVector(object, segment.direction), false);
 #endif
-    return cameraRay(object, pixel, segment.jitter);
+    Ray ray = cameraRay(object, pixel, segment.jitter);
+#if MARCH_WITH == MARCH_FULL
+    if (kObjectCount == 1 && segment.clear > ray.s_min) {
+        ray.s_min = segment.clear;
+        ray.may_start_inside = false;
+    }
+#endif
+    return ray;
 }
 
 // P' stands on the level that the ray before met; rays from it meet other objects' maps themselves.
@@ -131,6 +141,7 @@ void considerObject(inout SurfacePoint best, const int k, const Segment segment)
     best.steps += hit.steps;
     best.exhausted = best.exhausted || hit.exhausted;
     best.doubtful = best.doubtful || hit.doubtful;
+    if (kObjectCount == 1) best.clear = hit.clear;
     vec3 from_first = fromCentre(object, hit.p) + object.from_first.xyz;
     vec3 towards = towardsHit(segment, object, hit.p, from_first, pixel);
     float t = hit.inside ? 0.0 : length(towards);
@@ -168,6 +179,7 @@ SurfacePoint nearestHit(const Segment segment) {
     best.object = -1;
     best.steps = 0;
     best.level = 0;
+    best.clear = -kInfinity;
     best.ramp = -1;  // lest it be the object's alone: see onlyObject()
     best.t = kInfinity;
     // Not even a loop of one turn is free: it stands between the driver and what it could do once.

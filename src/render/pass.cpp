@@ -27,7 +27,7 @@ std::uint32_t groups(int pixels, int group) {
 
 std::uint64_t listBytes(const gpu::StorageImage& film) {
     std::uint64_t pixels = std::min(std::uint64_t(film.width()) * film.height(), Pass::kMostPixels);
-    return sizeof(layout::RetryHead) + pixels * sizeof(std::uint32_t);
+    return sizeof(layout::RetryHead) + pixels * sizeof(layout::RetryPixel);
 }
 
 std::vector<gpu::Resource> bindAll(const DeviceScene& scene, const gpu::StorageImage& film, const gpu::Buffer& list) {
