@@ -56,7 +56,8 @@ using uint = std::uint32_t;
 #define SPEC_RADIUS_X 17      // float, of the pixel filter
 #define SPEC_RADIUS_Y 18
 #define SPEC_SHADOWS 19       // 0: light passes through everything
-#define SPEC_COUNT 20
+#define SPEC_REGULARIZE 20    // 1: later facets are rougher
+#define SPEC_COUNT 21
 
 #define MARCHER_EXACT 0
 #define MARCHER_NAIVE 1        // the seed's: from the camera
@@ -196,7 +197,7 @@ struct LightData {
     int table, pad0, pad1, pad2;
 };
 
-// WITH_PATHS alone.
+// WITH_PATHS alone. Object k's is the one at k; MAX_OBJECTS + k is its regularized() one, if SPEC_REGULARIZE asks for it.
 struct MaterialData {
     vec4 odd;              // checkerboard: rgb where the sum of the cells is odd; ObjectData::albedo is the other colour
     vec4 specular;         // mirror: rgb reflectance; plastic: rgb factor of the facets

@@ -38,10 +38,11 @@ struct Vertex {
     vec3 view;    // in it, towards where the ray came from
 };
 
-Vertex makeVertex(const SurfacePoint point, const vec3 colour) {
+// `softened`: after another reflection than mirrors'.
+Vertex makeVertex(const SurfacePoint point, const vec3 colour, const bool softened) {
     Vertex vertex;
     vertex.point = point;
-    vertex.material = materials[point.object];
+    vertex.material = materials[point.object + (kRegularize != 0 && softened ? MAX_OBJECTS : 0)];
     vertex.colour = colour;
     vec3 view = point.inside ? point.normal : normalize(-point.towards);
     vec3 normal = shadingNormal(point);
@@ -158,6 +159,7 @@ Gathered gather(Segment segment, const Numbers numbers, const Rules rules) {
     departure.from_camera_hit = false;
     int last = rules.centre ? 0 : kMaxDepth;
     bool going = true;
+    bool softened = false;
     for (int n = 0; n <= last && going; ++n) {
         SurfacePoint point = nearestHit(segment);
         result.doubtful = result.doubtful || point.doubtful;
@@ -167,7 +169,7 @@ Gathered gather(Segment segment, const Numbers numbers, const Rules rules) {
             result.colour += throughput * emitted(point, segment, segmentDirection(segment), departure);
         going = going && point.hit;
         if (!going) continue;
-        Vertex vertex = makeVertex(point, albedoOf(point));
+        Vertex vertex = makeVertex(point, albedoOf(point), softened);
         if (n == 0) result.albedo = vertex.colour;
         if (n >= kMaxDepth && !rules.centre) continue;
 
@@ -195,6 +197,7 @@ Gathered gather(Segment segment, const Numbers numbers, const Rules rules) {
             Scattering scattering = scatterTowards(vertex, segment.direction);
             throughput *= scattering.density > 0.0 ? scattering.value / scattering.density : vec3(0.0);
             departure.density = scattering.density;
+            softened = true;
             going = kDiffusePaths != 0 && max(throughput.x, max(throughput.y, throughput.z)) > 0.0;
         }
         if (n >= kRouletteFrom) {

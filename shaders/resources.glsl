@@ -22,6 +22,7 @@ layout(constant_id = SPEC_CHECKERBOARDS) const int kCheckerboards = 0;
 layout(constant_id = SPEC_MAX_DEPTH) const int kMaxDepth = 5;
 layout(constant_id = SPEC_DIFFUSE_PATHS) const int kDiffusePaths = 0;
 layout(constant_id = SPEC_CLAMP) const float kClamp = 0.0;
+layout(constant_id = SPEC_REGULARIZE) const int kRegularize = 0;
 layout(constant_id = SPEC_GAUSSIAN) const int kGaussian = 0;
 layout(constant_id = SPEC_RADIUS_X) const float kRadiusX = 0.5;
 layout(constant_id = SPEC_RADIUS_Y) const float kRadiusY = 0.5;
@@ -35,7 +36,7 @@ layout(std140, binding = BINDING_OBJECTS) uniform Objects { ObjectData objects[M
 layout(std140, binding = BINDING_MAPS) uniform Maps { MapData maps[MAX_OBJECTS * MAX_LEVELS]; };
 layout(std140, binding = BINDING_LIGHTS) uniform Lights { LightData lights[MAX_LIGHTS]; };
 #ifdef WITH_PATHS
-layout(std140, binding = BINDING_MATERIALS) uniform Materials { MaterialData materials[MAX_OBJECTS]; };
+layout(std140, binding = BINDING_MATERIALS) uniform Materials { MaterialData materials[2 * MAX_OBJECTS]; };
 layout(std140, binding = BINDING_TRIANGLES) uniform Triangles { TriangleData triangles[MAX_TRIANGLES]; };
 layout(std430, binding = BINDING_TABLES) readonly buffer Tables { float tables[]; };
 #endif

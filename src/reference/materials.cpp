@@ -40,6 +40,17 @@ dvec3 bouncedFresnel(const Conductor& metal, double mean_lost) {
 }  // namespace
 
 // Oren and Nayar 1994, "Generalization of Lambert's reflectance model", the simple form (their equation 30).
+Material softened(Material material) {
+    double* alpha = nullptr;
+    if (auto* metal = std::get_if<Conductor>(&material)) alpha = &metal->alpha;
+    if (auto* plastic = std::get_if<Plastic>(&material)) alpha = &plastic->alpha;
+    if (alpha && *alpha < 0.05)
+        *alpha = 0.1;
+    else if (alpha && *alpha < 0.3)
+        *alpha = std::min(2.0 * *alpha, 0.3);
+    return material;
+}
+
 double orenNayar(double sigma_degrees, const dvec3& l, const dvec3& v) {
     if (sigma_degrees == 0.0) return 1.0;
     const double sigma2 = glm::radians(sigma_degrees) * glm::radians(sigma_degrees);

@@ -14,6 +14,9 @@ namespace dsphere::reference {
 /// The Oren-Nayar factor on Lambert's law, 1 for sigma 0 (degrees).
 double orenNayar(double sigma_degrees, const dvec3& l, const dvec3& v);
 
+/// The material of a regularising integrator's later vertices: see docs/light.md.
+Material softened(Material material);
+
 /// A material made ready: what its facets lose is tabulated once. Thread-safe.
 class Reflector {
   public:

@@ -67,7 +67,7 @@ dvec3 PathTracer::emitted(const WorldHit& hit, const Step& step) const {
 
 dvec3 PathTracer::sampledLights(const ShadingPoint& point, const dvec3& start, Random& random) const {
     const Frame frame(point.normals.smooth);
-    const Reflector& reflector = tracer_.reflector(point.shape);
+    const Reflector& reflector = tracer_.reflector(point);
     const dvec3 colour = tracer_.reflectance(point.shape, point.object_position);
     dvec3 sum(0.0);
     for (int k = 0; k < int(scene_->lights.size()); ++k) {
@@ -85,12 +85,14 @@ dvec3 PathTracer::sample(const dvec3& origin, const dvec3& direction, Random& ra
     dvec3 sum(0.0), throughput(1.0);
     Step step{.direction = direction, .from = {}};
     WorldHit hit = tracer_.firstHit(origin, direction);
+    bool scattered = false;  // other than by mirrors
     for (int vertex = 0;; ++vertex) {
         if (hit.inside) return sum;
         sum += throughput * emitted(hit, step);
         if (!hit.hit) return sum;
-        const ShadingPoint point = tracer_.shadingPoint(hit, step.direction);
-        const Reflector& reflector = tracer_.reflector(point.shape);
+        ShadingPoint point = tracer_.shadingPoint(hit, step.direction);
+        point.softened = scattered && scene_->integrator.regularize;
+        const Reflector& reflector = tracer_.reflector(point);
         const dvec3 start = tracer_.beside(point);
         const bool last = vertex >= scene_->integrator.max_depth;
         if (!reflector.mirror() && !(isPath() && last)) sum += throughput * sampledLights(point, start, random);
@@ -107,6 +109,7 @@ dvec3 PathTracer::sample(const dvec3& origin, const dvec3& direction, Random& ra
         else
             return sum;
         if (throughput == dvec3(0.0)) return sum;
+        scattered = scattered || !reflector.mirror();
         hit = tracer_.nextHit(point.shape, start, step.direction);
     }
 }

@@ -76,7 +76,7 @@ dvec3 Tracer::reflected(const ShadingPoint& point, const dvec3& l, const dvec3& 
     const Frame frame(point.normals.smooth);
     const dvec3 local = frame.toLocal(l);
     if (!(local.z > 0.0)) return dvec3(0.0);
-    return reflector(point.shape).f(local, frame.toLocal(point.towards_viewer), colour) *
+    return reflector(point).f(local, frame.toLocal(point.towards_viewer), colour) *
            (local.z * terminatorShare(point.normals, l, local.z));
 }
 

@@ -17,6 +17,7 @@ Tracer::Tracer(const Scene& scene, std::vector<const Heightmap*> maps, std::vect
         const Shape& shape = scene.shapes[k];
         object_from_world_.push_back(glm::inverse(shape.world_from_object));
         reflectors_.emplace_back(shape.material);
+        if (scene.integrator.regularize) softened_.emplace_back(softened(shape.material));
         if (!std::holds_alternative<DisplacedSphere>(shape.geometry)) continue;
         assert(maps[k] && "a displaced sphere needs its map");
         surfaces_[k].emplace(*maps[k], reliefs[k]);

@@ -42,6 +42,7 @@ struct ShadingPoint {
     dvec3 position{0.0};  ///< world; directions to lights are taken from it
     Normals normals{dvec3(0.0), dvec3(0.0)};
     dvec3 towards_viewer{0.0};  ///< world, unit
+    bool softened = false;      ///< the shape's facets are regularised
 };
 
 /// Refers to scene and maps, which must outlive it; thread-safe.
@@ -78,7 +79,9 @@ class Tracer {
 
     /// The colour texture at a point; white if the material has none.
     dvec3 reflectance(int shape, const dvec3& object_position) const;
-    const Reflector& reflector(int shape) const { return reflectors_[std::size_t(shape)]; }
+    const Reflector& reflector(const ShadingPoint& point) const {
+        return (point.softened ? softened_ : reflectors_)[std::size_t(point.shape)];
+    }
     const Lights& lights() const { return lights_; }
 
     /// The greatest radius R of a shape, the length that its tolerances are in, object units: a disk's own radius, of a
@@ -114,7 +117,7 @@ class Tracer {
     std::vector<std::optional<Surface>> surfaces_;
     std::vector<dmat4> object_from_world_;
     std::vector<const ColourMap*> images_;
-    std::vector<Reflector> reflectors_;
+    std::vector<Reflector> reflectors_, softened_;
     Lights lights_;
 };
 

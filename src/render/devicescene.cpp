@@ -217,7 +217,7 @@ DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, std::sh
       maps_(device, gpu::Buffer::Usage::Uniform, gpu::Buffer::Place::Device,
             sizeof(layout::MapData) * MAX_OBJECTS * MAX_LEVELS, "maps"),
       lights_(makeBuffer(device, gpu::Buffer::Usage::Uniform, layout_->placedLights(packed), MAX_LIGHTS, "lights")),
-      materials_(makeBuffer(device, gpu::Buffer::Usage::Uniform, packed.materials, MAX_OBJECTS, "materials")),
+      materials_(makeBuffer(device, gpu::Buffer::Usage::Uniform, packed.materials, 2 * MAX_OBJECTS, "materials")),
       triangles_(makeBuffer(device, gpu::Buffer::Usage::Uniform, packed.triangles, MAX_TRIANGLES, "triangles")),
       ramps_(makeBuffer(device, gpu::Buffer::Usage::Storage, packed.ramp_points, packed.ramp_points.size(), "ramps")),
       tables_(makeBuffer(device, gpu::Buffer::Usage::Storage, packed.tables.values,

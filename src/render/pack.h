@@ -40,7 +40,7 @@ struct PackedScene {
     std::vector<PackedRelief> reliefs;               ///< distinct ones, and their levels of detail
     std::vector<ImageWords> images;                  ///< one an image of SceneMaps, which they refer to
     std::vector<int> image_of_object;                ///< index in `images`, -1: none
-    std::vector<PackedCentres> centres;              ///< one an object, empty without an image
+    std::vector<PackedCentres> centres;              ///< one an object; regularized ones from MAX_OBJECTS on, empty without an image
     std::vector<layout::vec4> ramp_points;           ///< all ramps, RAMP_POINTS each
     std::vector<layout::MaterialData> materials;     ///< one an object
     std::vector<layout::TriangleData> triangles;     ///< of all meshes

@@ -118,6 +118,25 @@ void packMatte(MaterialData& data, const Matte& matte) {
     data.rough_b = float(0.45 * variance / (variance + 0.09));
 }
 
+MaterialData packMaterial(const Material& material, const PathTables& tables) {
+    MaterialData data = {};
+    data.kind = materialKind(material);
+    if (const auto* matte = std::get_if<Matte>(&material)) packMatte(data, *matte);
+    if (const auto* conductor = std::get_if<Conductor>(&material)) packConductor(data, *conductor, tables);
+    if (const auto* mirror = std::get_if<Mirror>(&material)) data.specular = narrow(mirror->reflectance, 0.0);
+    if (const auto* plastic = std::get_if<Plastic>(&material)) {
+        data.specular = narrow(plastic->specular, 0.0);
+        data.alpha = float(plastic->alpha);
+    }
+    if (const auto* board = textureAs<Checkerboard>(material)) {
+        data.odd = narrow(board->odd, 0.0);
+        data.checkerboard = 1;
+        data.u_scale = float(board->u_scale);
+        data.v_scale = float(board->v_scale);
+    }
+    return data;
+}
+
 }  // namespace
 
 std::vector<LightData> packLights(const Scene& scene, const SceneMaps& maps, const PathTables& tables,
@@ -148,24 +167,10 @@ std::vector<LightData> packLights(const Scene& scene, const SceneMaps& maps, con
 
 std::vector<MaterialData> packMaterials(const Scene& scene, const PathTables& tables) {
     std::vector<MaterialData> materials;
-    for (const Shape& shape : scene.shapes) {
-        MaterialData data = {};
-        data.kind = materialKind(shape.material);
-        if (const auto* matte = std::get_if<Matte>(&shape.material)) packMatte(data, *matte);
-        if (const auto* conductor = std::get_if<Conductor>(&shape.material)) packConductor(data, *conductor, tables);
-        if (const auto* mirror = std::get_if<Mirror>(&shape.material)) data.specular = narrow(mirror->reflectance, 0.0);
-        if (const auto* plastic = std::get_if<Plastic>(&shape.material)) {
-            data.specular = narrow(plastic->specular, 0.0);
-            data.alpha = float(plastic->alpha);
-        }
-        if (const auto* board = textureAs<Checkerboard>(shape.material)) {
-            data.odd = narrow(board->odd, 0.0);
-            data.checkerboard = 1;
-            data.u_scale = float(board->u_scale);
-            data.v_scale = float(board->v_scale);
-        }
-        materials.push_back(data);
-    }
+    for (const Shape& shape : scene.shapes) materials.push_back(packMaterial(shape.material, tables));
+    if (!scene.integrator.regularize) return materials;
+    materials.resize(MAX_OBJECTS);
+    for (const Shape& shape : scene.shapes) materials.push_back(packMaterial(regularized(shape.material), tables));
     return materials;
 }
 

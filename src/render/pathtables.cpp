@@ -163,11 +163,15 @@ PathTables makePathTables(const Scene& scene, const SceneMaps& maps) {
         append(filterPlaces(filter.radius.x, filter.falloff));
         append(filterPlaces(filter.radius.y, filter.falloff));
     }
-    for (const Shape& shape : scene.shapes) {
-        const auto* conductor = std::get_if<Conductor>(&shape.material);
-        if (!conductor || tables.losses.contains(conductor->alpha)) continue;
+    auto appendLoss = [&](const Material& material) {
+        const auto* conductor = std::get_if<Conductor>(&material);
+        if (!conductor || tables.losses.contains(conductor->alpha)) return;
         const FacetLoss loss = facetLoss(conductor->alpha);
         tables.losses[conductor->alpha] = {append(loss.by_cosine), loss.mean};
+    };
+    for (const Shape& shape : scene.shapes) {
+        appendLoss(shape.material);
+        if (scene.integrator.regularize) appendLoss(regularized(shape.material));
     }
     if (maps.light_image >= 0) {
         const ColourMap& image = *maps.images[std::size_t(maps.light_image)];

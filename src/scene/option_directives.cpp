@@ -81,6 +81,8 @@ void integrator(Statement s) {
     // Without volumes volpath is path.
     integrator.kind = name.text == "directlighting" ? Integrator::Kind::DirectLighting : Integrator::Kind::Path;
     integrator.max_depth = p.integer("maxdepth", 0, kMaxInteger).value_or(integrator.max_depth);
+    if (integrator.kind == Integrator::Kind::Path)
+        integrator.regularize = p.boolean("regularize").value_or(integrator.regularize);
     p.finish();
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace dsphere {
@@ -17,6 +18,15 @@ dvec3 middleOf(const TriangleMesh& mesh) {
         greatest = glm::max(greatest, point);
     }
     return 0.5 * (least + greatest);
+}
+
+Material regularized(Material material) {
+    const auto widen = [](double& alpha) {
+        if (alpha < 0.3) alpha = std::clamp(2.0 * alpha, 0.1, 0.3);
+    };
+    if (auto* conductor = std::get_if<Conductor>(&material)) widen(conductor->alpha);
+    if (auto* plastic = std::get_if<Plastic>(&material)) widen(plastic->alpha);
+    return material;
 }
 
 const Texture* textureOf(const Material& material) {

@@ -58,6 +58,9 @@ struct Integrator {
     /// The greatest radiance of a sample: one whose greatest channel is above it is scaled down to it as a whole, so
     /// that its hue stays. 0: no bound. An option of the command line; scene files have no word for it.
     double clamp = 0.0;
+    /// path: facets that are met after another reflection than mirrors' are rougher, see regularized(). Less noise, and
+    /// bright spots thrown by metals are wider and fainter than they should be.
+    bool regularize = false;
 
     bool operator==(const Integrator&) const = default;
 };
@@ -198,6 +201,9 @@ struct Plastic {
 };
 
 using Material = std::variant<Matte, Conductor, Mirror, Plastic>;
+
+/// The material with GGX's alpha under 0.3 doubled, and at least 0.1 and at most 0.3 then, as pbrt v4 regularises it.
+Material regularized(Material material);
 
 /// The colour texture of a material that may vary over its shape; nullptr: the material has none.
 const Texture* textureOf(const Material& material);

@@ -68,8 +68,8 @@ struct Walk {
         all(width, height, crop);
     }
     void add(const Integrator& integrator) {
-        const auto& [kind, depth, clamp] = integrator;
-        all(kind, depth, clamp);
+        const auto& [kind, depth, clamp, regularize] = integrator;
+        all(kind, depth, clamp, regularize);
     }
     void add(const PixelFilter& filter) {
         const auto& [kind, radius, falloff] = filter;

@@ -217,8 +217,8 @@ std::string optionsText(const Scene& scene) {
     text += fmt::format("\nSampler \"independent\" \"integer pixelsamples\" {} \"integer seed\" {}\n",
                         scene.sampler.pixel_samples, scene.sampler.seed);
     const bool path = scene.integrator.kind == Integrator::Kind::Path;
-    text += fmt::format("Integrator \"{}\" \"integer maxdepth\" {}\n", path ? "path" : "directlighting",
-                        scene.integrator.max_depth);
+    text += fmt::format("Integrator \"{}\" \"integer maxdepth\" {}{}\n", path ? "path" : "directlighting",
+                        scene.integrator.max_depth, scene.integrator.regularize ? " \"bool regularize\" true" : "");
     // v3's spelling: its alpha is the falloff itself.
     const PixelFilter& filter = scene.pixel_filter;
     const bool gaussian = filter.kind == PixelFilter::Kind::Gaussian;

@@ -33,7 +33,7 @@ TEST_F(LanguageTest, InfoTellsOfEverything) {
     Outcome outcome = run({"info", "all.pbrt", "--json"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     json j = json::parse(outcome.out);
-    EXPECT_EQ(j["integrator"], json::parse(R"({"type":"path","max_depth":2})"));
+    EXPECT_EQ(j["integrator"], json::parse(R"({"type":"path","max_depth":2,"regularize":false})"));
     EXPECT_EQ(j["pixel_filter"], json::parse(R"({"type":"gaussian","radius":[1.5,1.5],"falloff":2.0})"));
     ASSERT_EQ(j["shapes"].size(), 5u);
     EXPECT_EQ(j["shapes"][0]["material"], json::parse(R"({"type":"matte","Kd":[0.5,0.5,0.5],"sigma":0.0})"));

@@ -177,6 +177,16 @@ TEST_F(Lighting, OfPaths) {
     expectMeans(small(std::move(world), Integrator::Kind::Path, 5), 128, 112);
 }
 
+/// Facets of alpha 0.03, 0.1 and 0.25 become rougher: to 0.1, 0.2 and 0.3.
+TEST_F(Lighting, OfRegularizedPaths) {
+    World world = objects({kSmoothConductor, kConductor, kPlastic, kMirror});
+    addSky(world);
+    addEmitter(world, Sphere{0.4}, translation({-0.4, 2.1, 1.6}), dvec3(8, 7, 6), false);
+    world = small(std::move(world), Integrator::Kind::Path, 4);
+    world.scene.integrator.regularize = true;
+    expectMeans(world, 128, 128);
+}
+
 /// The same of one material at a time. Specks out of sight have the other kinds: one shader serves all.
 TEST_F(Lighting, OfPathsOfOneMaterial) {
     for (const Material& material :

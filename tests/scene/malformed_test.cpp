@@ -152,6 +152,7 @@ TEST(Malformed, Options) {
         {"Sampler \"halton\" \"float pixelsamples\" 1", "1:18", "has type float; supported: integer"},
         {"Integrator \"bdpt\"", "1:12", "unknown integrator \"bdpt\"; supported: directlighting, path, volpath"},
         {"Integrator \"path\" \"integer maxdepth\" -1", "1:38", "is -1; supported: in [0, "},
+        {"Integrator \"directlighting\" \"bool regularize\" true", "1:29", "supported: integer maxdepth"},
         {"Integrator \"path\"\nIntegrator \"path\"", "2:1", "Integrator is given twice"},
         {"PixelFilter \"mitchell\"", "1:13", "unknown pixel filter \"mitchell\"; supported: box, gaussian"},
         {"PixelFilter \"box\" \"float xwidth\" 0", "1:34", "supported: in [0.01, 8]"},

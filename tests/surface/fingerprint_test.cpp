@@ -58,6 +58,7 @@ TEST_F(Fingerprint, TellsEveryChange) {
         {"Film \"rgb\" \"integer xresolution\" 1281", sphere},
         {"Film \"rgb\" \"float cropwindow\" [0 1 0 .5]", sphere},
         {"Integrator \"path\" \"integer maxdepth\" 4", sphere},
+        {"Integrator \"path\" \"bool regularize\" true", sphere},
         {"Integrator \"directlighting\"", sphere},
         {"PixelFilter \"gaussian\"", sphere},
         {"", "Material \"matte\" \"float sigma\" 1 " + sphere},

@@ -50,7 +50,7 @@ TEST(SceneWriter, BringsEverythingBackBitForBit) {
 
 TEST(SceneWriter, MaterialsLightsAndMeshes) {
     expectRoundTrip(R"(Film "rgb" "float cropwindow" [0 .3 .1 1]
-        Integrator "path" "integer maxdepth" 3
+        Integrator "path" "integer maxdepth" 3 "bool regularize" true
         PixelFilter "gaussian" "float xradius" 1.7 "float yradius" 2 "float sigma" .47
         WorldBegin
         Shape "sphere"
