@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dsphere::viewer {
 
@@ -166,14 +167,22 @@ void App::drawFrame() {
     applyUi();
 }
 
+// An event may have come right after the last look: the times kept are the earliest that are possible.
+void App::listen(double wait) {
+    const double polled = last_poll_;
+    const std::vector<Event> events = window_.poll(wait);
+    last_poll_ = window_.now();
+    if (!events.empty() && heard_since_ < 0.0) heard_since_ = std::max(polled, last_poll_ - 0.1);
+    heard_.insert(heard_.end(), events.begin(), events.end());
+}
+
 void App::run() {
     last_loop_ = last_poll_ = window_.now();
     while (!window_.closing() && !options_.interrupted()) {
-        const double polled = last_poll_;
-        std::vector<Event> events = window_.poll(idle() ? kIdleWait : 0.0);
-        last_poll_ = window_.now();
-        // An event may have come right after the last look: the figure is the longest that it can have waited.
-        if (!events.empty() && input_since_ < 0.0) input_since_ = std::max(polled, last_poll_ - 0.1);
+        listen(idle() && heard_.empty() ? kIdleWait : 0.0);
+        const std::vector<Event> events = std::exchange(heard_, {});
+        if (input_since_ < 0.0) input_since_ = heard_since_;
+        heard_since_ = -1.0;
         for (const Event& event : events) handle(event);
         bool flew = flyStep(std::min(last_poll_ - last_loop_, 0.1));
         last_loop_ = last_poll_;
@@ -182,6 +191,7 @@ void App::run() {
         startWork();
         if (!events.empty()) frames_due_ = std::max(frames_due_, 4);  // what ImGui takes to open a list
         bool fresh = renderSlice();
+        if (fresh) listen(0.0);  // between the two long parts of a turn, to know better when events came
         bool late = window_.now() - last_draw_ > kRefiningRedraw;
         bool fading = !ui_.message.empty() && !ui_.message_is_error;
         if (fresh || flew || frames_due_ > 0 || (late && (!idle() || fading || loading_.busy()))) drawFrame();
