@@ -57,7 +57,8 @@ using uint = std::uint32_t;
 #define SPEC_RADIUS_Y 18
 #define SPEC_SHADOWS 19       // 0: light passes through everything
 #define SPEC_REGULARIZE 20    // 1: later facets are rougher
-#define SPEC_COUNT 21
+#define SPEC_RETRY_STRIDE 21  // invocations from one retried pixel to the next: their rays have nothing in common
+#define SPEC_COUNT 22
 
 #define MARCHER_EXACT 0
 #define MARCHER_NAIVE 1        // the seed's: from the camera
@@ -244,8 +245,9 @@ struct RenderParams {
     uint seed;
 };
 
-// The head of the list of pixels that follows it.
-// Its first three numbers are those of an indirect dispatch.
+// The head of the list of pixels that follows it. Its first three numbers are those of an indirect dispatch, in rows of
+// RETRY_ROW workgroups: no device must take more than 65,535 in a row.
+#define RETRY_ROW 1024
 struct RetryHead {
     uint groups_x, groups_y, groups_z, count;
 };

@@ -71,11 +71,15 @@ void putGeometry(const ivec2 pixel, const SurfacePoint point) {
     put(pixel, PLANE_FLAGS, (point.inside ? 1u : 0u) | (point.exhausted ? 2u : 0u));
 }
 
+// Retried pixels of a workgroup.
+const uint kRetryGroup = uint(GROUP_SIZE_X * GROUP_SIZE_Y) / kRetryStride;
+
 // False for an invocation without a pixel.
 bool findPixel(out ivec2 pixel, out float clear) {
 #if MARCH_WITH == MARCH_FULL
-    uint index = gl_WorkGroupID.x * (GROUP_SIZE_X * GROUP_SIZE_Y) + gl_LocalInvocationIndex;
-    bool listed = index < retry.count;
+    uint group = gl_WorkGroupID.y * RETRY_ROW + gl_WorkGroupID.x;
+    uint index = group * kRetryGroup + gl_LocalInvocationIndex / kRetryStride;
+    bool listed = gl_LocalInvocationIndex % kRetryStride == 0u && index < retry.count;
     RetryPixel found;
     found.pixel = 0u;
     found.clear = 0.0;
@@ -132,16 +136,25 @@ Gathered gatherSample(const ivec2 raster, const float clear, const int sample_in
 }
 #endif
 
+void leaveForRetry(const ivec2 pixel, const float clear) {
+    uint place = atomicAdd(retry.count, 1u);
+    retry_pixels[place].pixel = uint(pixel.x) | uint(pixel.y) << 16;
+    retry_pixels[place].clear = clear;
+    if (place % kRetryGroup != 0u) return;
+    uint group = place / kRetryGroup;
+    if (group < RETRY_ROW)
+        atomicAdd(retry.groups_x, 1u);
+    else if (group % RETRY_ROW == 0u)
+        atomicAdd(retry.groups_y, 1u);
+}
+
 // Film planes of a pixel whose ray, or another that it needs, is in doubt are left to the other precision.
 void shade(const ivec2 pixel, const float clear) {
     // Chosen by pixel, although it is the same for all: see onlyObject().
     int sample_index = pixel.x >= 0 ? params.sample_index : 0;
     Gathered gathered = gatherSample(pixel + ivec2(params.film_x, params.film_y), clear, sample_index);
     if (gathered.doubtful) {
-        uint place = atomicAdd(retry.count, 1u);
-        retry_pixels[place].pixel = uint(pixel.x) | uint(pixel.y) << 16;
-        retry_pixels[place].clear = gathered.point.clear;
-        if (place % (GROUP_SIZE_X * GROUP_SIZE_Y) == 0u) atomicAdd(retry.groups_x, 1u);
+        leaveForRetry(pixel, gathered.point.clear);
         return;
     }
     putGeometry(pixel, gathered.point);

@@ -28,6 +28,7 @@ layout(constant_id = SPEC_RADIUS_X) const float kRadiusX = 0.5;
 layout(constant_id = SPEC_RADIUS_Y) const float kRadiusY = 0.5;
 #endif
 layout(constant_id = SPEC_SHADOWS) const int kShadows = 1;
+layout(constant_id = SPEC_RETRY_STRIDE) const uint kRetryStride = 1u;
 layout(constant_id = SPEC_THRESHOLD) const float kThreshold = 3e-6;
 layout(constant_id = SPEC_STRIDE) const float kStride = 1.0;
 layout(constant_id = SPEC_DETAIL) const float kDetail = 0.0;

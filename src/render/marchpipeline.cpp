@@ -1,5 +1,7 @@
 #include "render/marchpipeline.h"
 
+#include "gpu/device.h"
+
 #include "base/error.h"
 #include "surface/slope.h"
 
@@ -43,6 +45,8 @@ gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& t
     specialization[SPEC_STRIDE] = std::bit_cast<std::uint32_t>(stride);
     specialization[SPEC_DETAIL] = std::bit_cast<std::uint32_t>(method.detail);
     specialization[SPEC_SHADOWS] = method.shadows ? 1 : 0;
+    // Wide devices have invocations to spare, and one ray that takes long holds all up that share its instructions.
+    specialization[SPEC_RETRY_STRIDE] = device.info().type == "CPU" ? 1 : 32;
     const SceneTraits::Paths& paths = traits.paths;
     specialization[SPEC_MATERIALS] = paths.materials;
     specialization[SPEC_LIGHT_KINDS] = paths.light_kinds;

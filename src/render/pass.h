@@ -22,7 +22,7 @@ class PassPipelines {
     const gpu::ComputePipeline& first() const { return first_; }
     const std::optional<gpu::ComputePipeline>& full() const { return full_; }
 
-    /// What a pixel of the last round took, of whatever picture: the first round of the next is sized by it. 0: unknown.
+    /// What a pixel of the last sample took, of whatever picture: the first round of the next is sized by it. 0: unknown.
     double pixel_seconds = 0.0;
 
   private:
@@ -37,8 +37,8 @@ void makeAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod
 /// One film, filled in two steps: tiles by the one pipeline, then the pixels that it left by the other.
 class Pass {
   public:
-    /// Film pixels that one run() can take: if all are left, a dispatch of as many groups as every device has in a row.
-    static constexpr std::uint64_t kMostPixels = std::uint64_t(65535) * GROUP_SIZE_X * GROUP_SIZE_Y;
+    /// Film pixels that one run() can take: a list of 64 MiB if it must hold them all.
+    static constexpr std::uint64_t kMostPixels = 1u << 23;
 
     /// Warms the pipelines up. All that is given must outlive the pass.
     Pass(gpu::Device& device, PassPipelines& pipelines, const DeviceScene& device_scene, const gpu::StorageImage& film);

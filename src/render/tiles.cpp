@@ -34,8 +34,10 @@ std::vector<Box> makeTiles(const std::vector<Span>& spans, int x0, int x1) {
 double TileRun::step(Pass& pass, int sample, std::uint32_t seed, double target) {
     std::vector<layout::RenderParams> round;
     double most = pass.pixelSeconds() > 0.0 ? target / pass.pixelSeconds() : 1.0;
-    if (last_seconds_ > 0.0)
-        most = std::min(most, double(last_pixels_) * std::clamp(target / last_seconds_ / 4.0, 2.0, 16.0));
+    if (last_seconds_ > 0.0) {
+        const double share = target / last_seconds_;
+        most = double(last_pixels_) * std::min(share, std::clamp(share / 4.0, 2.0, 16.0));
+    }
     std::uint64_t pixels = 0;
     while (!done()) {
         const Box& box = tiles_[next_];
@@ -47,7 +49,9 @@ double TileRun::step(Pass& pass, int sample, std::uint32_t seed, double target) 
     }
     last_pixels_ = pixels;
     last_seconds_ = pass.run(round);
-    if (pixels > 0) pass.pixelSeconds() = last_seconds_ / double(pixels);
+    pixels_ += last_pixels_;
+    seconds_ += last_seconds_;
+    if (done() && pixels_ > 0) pass.pixelSeconds() = seconds_ / double(pixels_);
     return last_seconds_;
 }
 

@@ -21,7 +21,7 @@ class TileRun {
     bool done() const { return next_ >= tiles_.size(); }
     double share() const { return tiles_.empty() ? 1.0 : double(next_) / double(tiles_.size()); }
     /// Back to the first tile, for the next sample.
-    void rewind() { next_ = 0; }
+    void rewind() { *this = TileRun(std::move(tiles_), film_x_, film_y_); }
 
     /// Submits the next tiles, as many as take about `target` seconds by Pass::pixelSeconds(), and waits; returns the
     /// device's seconds. While those are unknown, one tile.
@@ -31,8 +31,8 @@ class TileRun {
     std::vector<Box> tiles_;
     int film_x_ = 0, film_y_ = 0;
     std::size_t next_ = 0;
-    std::uint64_t last_pixels_ = 0;  ///< of the last round
-    double last_seconds_ = 0.0;
+    std::uint64_t last_pixels_ = 0, pixels_ = 0;  ///< of the last round, and of all since rewind()
+    double last_seconds_ = 0.0, seconds_ = 0.0;
 };
 
 }  // namespace dsphere

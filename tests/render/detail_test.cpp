@@ -101,7 +101,7 @@ TEST_F(DetailTest, ObjectsTakeLevelsOfTheirOwn) {
     for (std::size_t i = 0; i < image.pixelCount(); ++i) {
         second += id[i] == 2;
         if (id_alone[i] == 0) continue;
-        EXPECT_EQ(image.at("object.X").floats()[i], alone.at("object.X").floats()[i]);
+        EXPECT_NEAR(image.at("object.X").floats()[i], alone.at("object.X").floats()[i], pipelineDrift(device_));
     }
     EXPECT_GT(second, 50);
     for (const std::string& message : device_.validationMessages()) ADD_FAILURE() << message;

@@ -12,6 +12,8 @@ inline bool keepLibrary(const char* name) {
 // The Vulkan loader unloads driver and layer with the last instance. Kept in memory, what their globals hold (LLVM's
 // 128 bytes an instance) stays in reach, and the rest carries the library's name.
 inline const bool kDriverKept = keepLibrary("libvulkan_lvp.so");
+// NVIDIA's cannot be loaded again a few times over (580.159): the loader then finds no driver.
+inline const bool kNvidiaKept = keepLibrary("libGLX_nvidia.so.0");
 inline const bool kValidationKept = keepLibrary("libVkLayer_khronos_validation.so");
 
 // Leaks of their own: lavapipe 22.3 the names of descriptor sets that go with their pool, the validation layer 1.3.239
