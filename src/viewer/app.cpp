@@ -149,11 +149,14 @@ void App::drawFrame() {
     ImGui::GetIO().DisplayFramebufferScale = ImVec2(1.0f, 1.0f);
     ImGui::GetIO().MousePos = ImVec2(float(window_.cursor().x), float(window_.cursor().y));
     fillUi();
+    // ImGui 1.86 looks at keys once a frame, and would miss those that are up again by then.
+    for (int code : typed_) ImGui::GetIO().KeysDown[code] = true;
     ImGui::NewFrame();
     layOut(ui_, window_.width(), window_.height(), scale_);
     if (view_.split && (drag_ == Drag::Divider || (!ImGui::GetIO().WantCaptureMouse && onDivider(window_.cursor()))))
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     ImGui::Render();
+    for (int code : std::exchange(typed_, {})) ImGui::GetIO().KeysDown[code] = window_.isDown(code);
     bool shown = presenter_.draw(*ImGui::GetDrawData());
     presenter_.finish();
     const double now = window_.now();

@@ -58,6 +58,7 @@ class App {
     std::optional<SunAngles> sunAngles() const;
     void setSun(const SunAngles& angles);
     void changeLook(bool moving);
+    void escape();
     void runCommand(Command command);
     std::string hoverText();
 
@@ -103,7 +104,8 @@ class App {
     ViewSettings view_;
     ToneSettings tone_;
     Ui ui_;
-    std::set<int> held_;  ///< keys that went down without Control
+    std::set<int> held_;      ///< keys that went down without Control
+    std::vector<int> typed_;  ///< keys that went down while ImGui was typed into, since its last frame
     Drag drag_ = Drag::None;
     SunAngles grabbed_sun_;
     dvec2 grabbed_cursor_{0.0};

@@ -59,7 +59,10 @@ void App::handle(const Event& event) {
             if (stage_ && !onPanel()) scroll(event);
             break;
         case Event::KeyDown:
-            if (!ImGui::GetIO().WantTextInput) key(event);
+            if (!ImGui::GetIO().WantTextInput)
+                key(event);
+            else if (event.code >= 0)
+                typed_.push_back(event.code);
             break;
         case Event::KeyUp:
             held_.erase(event.code);
@@ -143,6 +146,16 @@ void App::scroll(const Event& event) {
     viewChanged(true);
 }
 
+// What is open in the window goes first.
+void App::escape() {
+    if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+        ui_.let_go = true;
+    else if (ui_.keys_open)
+        ui_.keys_open = false;
+    else
+        runCommand(Command::Close);
+}
+
 void App::key(const Event& event) {
     const int code = event.code;
     if (event.control) {
@@ -151,7 +164,7 @@ void App::key(const Event& event) {
         return;
     }
     held_.insert(code);
-    if (code == GLFW_KEY_ESCAPE) runCommand(Command::Close);
+    if (code == GLFW_KEY_ESCAPE) escape();
     if (code == GLFW_KEY_H || code == GLFW_KEY_SLASH || code == GLFW_KEY_F1) ui_.keys_open = !ui_.keys_open;
     if (code == GLFW_KEY_TAB) ui_.panel_open = !ui_.panel_open;
     if (!stage_) return;
@@ -164,7 +177,9 @@ void App::key(const Event& event) {
         viewChanged(false);
     }
     if (code == GLFW_KEY_M) {
-        view_.method.marcher = Marcher((int(view_.method.marcher) + 1) % 4);
+        int next = (int(view_.method.marcher) + 1) % 4;
+        if (view_.split && Marcher(next) == Marcher::Naive) ++next;  // that is the left half already
+        view_.method.marcher = Marcher(next);
         viewChanged(false);
     }
     if (code == GLFW_KEY_X) {

@@ -59,7 +59,8 @@ void App::takeScreenshot() {
             display_.pixels().download(0, 4 * codes.size(), codes.data());
             writePng(path, decoded(codes, film.width(), film.height()));
         }
-        say(fmt::format("Wrote {}, {} samples a pixel.", path.string(), film.samples()));
+        say(fmt::format("Wrote {}, {} sample{} a pixel, into {}", path.string(), film.samples(),
+                        film.samples() == 1 ? "" : "s", std::filesystem::current_path().string()));
     } catch (const Error& error) {
         say(error.what(), true);
     }
@@ -73,13 +74,21 @@ void App::saveScene() {
     scene.film.height = window_.height();
     scene.film.filename = path.stem().string() + ".png";
     scene.sampler.pixel_samples = options_.samples.value_or(targetSamples());
-    std::string text = "# Saved by dsphere view from " + stage_->document().path + "\n";
-    text += sceneText(scene, std::filesystem::current_path());
+    // What scene files have no word for.
+    std::string options;
+    if (tone_.exposure != 0.0f) options += fmt::format(" --exposure {}", tone_.exposure);
+    if (view_.method.marcher != Marcher::Exact)
+        options += fmt::format(" --marcher {}", kMarcherNames[int(view_.method.marcher)]);
+    else if (view_.method.detail > 0.0f)
+        options += fmt::format(" --detail {}", view_.method.detail);
+    const std::string command = fmt::format("dsphere render {}{}", path.string(), options);
     AtomicFile file(path);
+    const std::string text = fmt::format("# Saved by dsphere view from {}. Rendered as it was seen by\n#     {}\n{}",
+                                         stage_->document().path, command,
+                                         sceneText(scene, std::filesystem::current_path()));
     file.write(text.data(), text.size());
     file.commit();
-    std::string exposure = tone_.exposure == 0.0f ? "" : fmt::format(" --exposure {}", tone_.exposure);
-    say(fmt::format("Wrote {}: dsphere render {}{}", path.string(), path.string(), exposure));
+    say(fmt::format("Wrote {} into {}\n{}", path.string(), std::filesystem::current_path().string(), command));
 }
 
 void App::copyCamera() {

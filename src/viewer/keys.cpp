@@ -17,7 +17,7 @@ constexpr Line kLines[] = {
     {"middle drag, Ctrl + drag", "turn and tilt about the point under the cursor"},
     {"wheel, two fingers", "zoom to the cursor, down to the ground"},
     {"L + drag", "move the sun"},
-    {"point", "latitude, longitude, height and distance in the bar below"},
+    {"point", "latitude, longitude, height in the map's units and distance in the scene's, in the bar below"},
     {"drop a file", "open a heightmap or a scene; a changed file reloads itself"},
     {"Move", nullptr},
     {"W A S D, Q E", "fly: ahead, left, back, right, down, up; Shift: faster"},
@@ -33,7 +33,7 @@ constexpr Line kLines[] = {
     {"Ctrl + C", "copy the camera as pbrt text"},
     {"Ctrl + S", "save the scene with this camera and these settings"},
     {"H, ?", "these keys"},
-    {"Esc", "close"},
+    {"Esc", "close an open list or these keys, else the window"},
 };
 
 }  // namespace

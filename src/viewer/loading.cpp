@@ -5,6 +5,7 @@
 namespace dsphere::viewer {
 
 void App::open(const std::string& path) {
+    if (ui_.message_is_error) ui_.message.clear();
     wanted_path_ = path;
 }
 
@@ -64,6 +65,7 @@ void App::show(std::unique_ptr<Document> document) {
     Film film = now.scene.film;
     film.width = std::max(1, window_.width());
     film.height = std::max(1, window_.height());
+    if (!same) tone_.exposure = 0.0f;
     if (own_camera)
         control_.emplace(now.original.camera, film, now.globe());
     else

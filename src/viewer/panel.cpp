@@ -12,8 +12,6 @@ namespace dsphere::viewer {
 
 namespace {
 
-constexpr const char* kMarchers[] = {"exact", "naive", "naive-shell", "lipschitz"};  // the order of Marcher
-
 void heading(const char* text) {
     ImGui::Dummy(ImVec2(0.0f, 0.1f * ImGui::GetFontSize()));
     ImGui::TextColored(ImVec4(0.45f, 0.70f, 1.0f, 1.0f), "%s", text);
@@ -34,7 +32,7 @@ void detailChoice(float& detail) {
 void marchSection(Ui& ui) {
     heading("Marcher");
     int marcher = int(ui.view.method.marcher);
-    if (ImGui::Combo("marcher", &marcher, kMarchers, IM_ARRAYSIZE(kMarchers)))
+    if (ImGui::Combo("marcher", &marcher, kMarcherNames, IM_ARRAYSIZE(kMarcherNames)))
         ui.view.method.marcher = Marcher(marcher);
     if (ui.view.method.marcher == Marcher::Exact) detailChoice(ui.view.method.detail);
     ImGui::Checkbox("split: naive | this", &ui.view.split);

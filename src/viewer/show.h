@@ -11,6 +11,9 @@ enum class Show { Colour, Steps, Distance, Normal, Uv, Albedo, Residual };
 inline constexpr int kShowCount = 7;
 extern const char* const kShowNames[kShowCount];
 
+/// The marchers' names, in the order of Marcher.
+inline constexpr const char* kMarcherNames[] = {"exact", "naive", "naive-shell", "lipschitz"};
+
 /// The film planes that it takes.
 std::uint32_t planesOf(Show show);
 

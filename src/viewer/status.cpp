@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "viewer/overlay.h"
 #include "viewer/ui.h"
 
@@ -24,19 +27,52 @@ float widthOf(const char* text) {
     return ImGui::CalcTextSize(text).x;
 }
 
+void drawLabel(ImVec2 at, const char* text, double scale) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddText(ImVec2(at.x + float(scale), at.y + float(scale)), IM_COL32(0, 0, 0, 220), text);
+    list.AddText(at, IM_COL32(255, 255, 255, 235), text);
+}
+
 void drawDivider(const Ui& ui, int width, int height, double scale) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     float x = float(ui.view.divider) * float(width), half = float(scale), bottom = float(height - statusHeight(scale));
     list.AddRectFilled(ImVec2(x - half, 0.0f), ImVec2(x + half, bottom), IM_COL32(255, 255, 255, 200));
     list.AddCircleFilled(ImVec2(x, 0.5f * bottom), 7.0f * half, IM_COL32(255, 255, 255, 230));
     float pad = 10.0f * half, top = pad;
-    const char *left = "naive", *right = ui.view.method.marcher == Marcher::Exact ? "exact" : "chosen marcher";
-    auto label = [&](float at, const char* text) {
-        list.AddText(ImVec2(at + half, top + half), IM_COL32(0, 0, 0, 220), text);
-        list.AddText(ImVec2(at, top), IM_COL32(255, 255, 255, 235), text);
-    };
-    label(x - pad - widthOf(left), left);
-    label(x + pad, right);
+    const char *left = "naive", *right = kMarcherNames[int(ui.view.method.marcher)];
+    drawLabel(ImVec2(x - pad - widthOf(left), top), left, scale);
+    drawLabel(ImVec2(x + pad, top), right, scale);
+}
+
+/// What the colours of a value mean.
+std::string legend(const Ui& ui) {
+    switch (ui.view.show) {
+        case Show::Steps:
+            return fmt::format("steps: blue 0, red {:.0f} or more", ui.tone.most_steps);
+        case Show::Distance:
+            return "distance: near light, far dark";
+        case Show::Normal:
+            return "normal: x, y, z as red, green, blue";
+        case Show::Uv:
+            return "u as red, v as green";
+        case Show::Albedo:
+            return "albedo";
+        case Show::Residual:
+            return "residual: blue 1e-9 R, red 1e-5 R or more";
+        case Show::Colour:
+            break;
+    }
+    return {};
+}
+
+/// What differs from the picture of `dsphere render`.
+std::string modeText(const Ui& ui) {
+    std::string text;
+    if (ui.view.method.marcher != Marcher::Exact && !ui.view.split)
+        text = std::string("   ") + kMarcherNames[int(ui.view.method.marcher)];
+    if (ui.view.method.detail > 0.0f) text += "   detail";
+    if (ui.view.show != Show::Colour) text += std::string("   ") + kShowNames[int(ui.view.show)];
+    return text;
 }
 
 }  // namespace
@@ -50,21 +86,40 @@ void drawStatusBar(Ui& ui, int width, int height, double scale) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0f, 1.0f));
     ImGui::Begin("status", nullptr, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
-    ImGui::SetCursorPosY(0.5f * (bar - ImGui::GetFrameHeight()));
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(ui.figures.file.c_str());
-    ImGui::SameLine(0.0f, 2.0f * pad);
-    ImGui::TextDisabled("%s", progressText(ui.figures).c_str());
     const ImGuiStyle& style = ImGui::GetStyle();
-    float buttons = widthOf("Tab: panel") + widthOf("H: keys") + 4.0f * style.FramePadding.x + style.ItemSpacing.x;
-    float right = float(width) - pad - buttons;
-    float hover = widthOf(ui.figures.hover.c_str());
-    if (!ui.figures.hover.empty() && right - hover - 2.0f * pad > ImGui::GetItemRectMax().x) {
-        ImGui::SameLine(right - hover - 2.0f * pad);
+    const std::string progress = progressText(ui.figures) + modeText(ui);
+    // Where there is no room for all, what the cursor points at goes before the buttons, and both before the rest.
+    const float buttons = widthOf("Tab: panel") + widthOf("H: keys") + 4.0f * style.FramePadding.x + style.ItemSpacing.x;
+    const float hover = ui.figures.hover.empty() ? 0.0f : widthOf(ui.figures.hover.c_str()) + 2.0f * pad;
+    float room = float(width) - 2.0f * pad - hover;
+    const auto fits = [&](float wide) {
+        if (room < wide) return false;
+        room -= wide + 2.0f * pad;
+        return true;
+    };
+    const bool with_buttons = fits(buttons), with_progress = fits(widthOf(progress.c_str()));
+    const bool with_file = fits(widthOf(ui.figures.file.c_str()));
+    float left = pad;
+    const auto place = [&](float x) {
+        ImGui::SetCursorPos(ImVec2(x, 0.5f * (bar - ImGui::GetFrameHeight())));
+        ImGui::AlignTextToFramePadding();
+    };
+    place(left);
+    if (with_file) {
+        ImGui::TextUnformatted(ui.figures.file.c_str());
+        left += widthOf(ui.figures.file.c_str()) + 2.0f * pad;
+    }
+    if (with_progress) {
+        place(left);
+        ImGui::TextDisabled("%s", progress.c_str());
+    }
+    const float right = float(width) - pad - (with_buttons ? buttons + 2.0f * pad : 0.0f);
+    if (hover > 0.0f) {
+        place(std::max(pad, right - hover + 2.0f * pad));
         ImGui::TextUnformatted(ui.figures.hover.c_str());
     }
-    if (right > ImGui::GetItemRectMax().x) {
-        ImGui::SameLine(right);
+    if (with_buttons) {
+        place(float(width) - pad - buttons);
         if (ImGui::Button("Tab: panel")) ui.panel_open = !ui.panel_open;
         ImGui::SameLine();
         if (ImGui::Button("H: keys")) ui.keys_open = !ui.keys_open;
@@ -90,11 +145,16 @@ void drawMessage(Ui& ui, int width, int, double scale) {
 }
 
 void layOut(Ui& ui, int width, int height, double scale) {
+    // Without a window in focus no list is open and nothing is typed into.
+    if (std::exchange(ui.let_go, false)) ImGui::SetWindowFocus(nullptr);
     if (ui.has_picture)
         ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<ImTextureID>(Overlay::kPicture), ImVec2(0.0f, 0.0f),
                                                  ImVec2(float(width), float(height)), ImVec2(0.0f, 0.0f),
                                                  ImVec2(ui.figures.u, ui.figures.v));
     if (ui.view.split) drawDivider(ui, width, height, scale);
+    if (const std::string text = legend(ui); !text.empty())
+        drawLabel(ImVec2(10.0f * float(scale), float(height - statusHeight(scale)) - 2.0f * ImGui::GetFontSize()),
+                  text.c_str(), scale);
     drawStatusBar(ui, width, height, scale);
     if (ui.panel_open) drawPanel(ui, width, height, scale);
     if (ui.keys_open) drawKeys(ui, width, height, scale);

@@ -86,6 +86,10 @@ TEST_F(WindowTest, AWalk) {
     viewing.waitFor("the steps", is("value", 1));
     hand("key v key v key v key v key v key v");
     viewing.waitFor("the colour", is("value", 0));
+    hand("key h");
+    viewing.waitFor("the keys", is("keys", true));
+    hand("key Escape");
+    viewing.waitFor("the window without the keys", is("keys", false));
 
     desktop_->drag(320, 180, 250, 220);
     hand("keydown l");
@@ -113,6 +117,8 @@ TEST_F(WindowTest, ThePanelChoosesDetailAndFilter) {
     hand("mousemove 835 287 sleep 0.3 click 1 sleep 1 mousemove 707 337 sleep 0.3 click 1");
     viewing.waitFor("the spline", is("filter", 1));
     viewing.waitForStill();
+    hand("mousemove 835 287 sleep 0.3 click 1 sleep 1 key Escape sleep 0.5 key Tab");
+    viewing.waitFor("no panel: Escape closed the list alone", is("panel", false));
 }
 
 TEST_F(WindowTest, SizesAndFiles) {
