@@ -4,10 +4,7 @@
 bool isLit(const SurfacePoint point, const LightData light, inout bool doubtful) {
     bool ends = isLight(light, LIGHT_POINT);
     vec3 towards = ends ? light.position.xyz - point.from_first : light.position.xyz;
-    bool lit = dot(towards, point.normal) > 0.0;
-    if (kObjectCount == 1) return lit && !shades(0, point, light.position.xyz, ends, doubtful);
-    for (int k = 0; k < kObjectCount && lit; ++k) lit = !shades(k, point, light.position.xyz, ends, doubtful);
-    return lit;
+    return dot(towards, point.normal) > 0.0 && !isShaded(point, light.position.xyz, ends, -1, doubtful);
 }
 
 uint visibleLights(const SurfacePoint point, inout bool doubtful) {

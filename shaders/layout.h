@@ -161,7 +161,8 @@ struct ObjectData {
     vec4 to_world_x, to_world_y, to_world_z;     // rows, object in units of R -> world
     vec4 from_start, start_x, start_y;           // world: the object's centre seen from the ray's start at X = Y = 0,
                                                  // and that start's steps
-    vec4 from_first;                             // world: the object's centre seen from object 0's
+    vec4 from_first;                             // world: the object's centre seen from object 0's; w: radius of a sphere
+                                                 // about it that holds a displaced sphere; others': negative
     vec4 albedo;                                 // rgb; of a constant texture
     float anchor_x, anchor_y;                    // raster
     float base, base_lo, scale;                  // r = base + base_lo + scale * stored value, units of R

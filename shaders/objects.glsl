@@ -201,9 +201,15 @@ bool isKind(const ObjectData object, const int kind) {
 #include "mesh.glsl"
 #endif
 
-ObjectHit hitObject(const ObjectData object, const MapData map, const Ray ray) {
+// Which of a scene's objects are meant: displaced spheres, whose march is long, or the others.
+const int kDisplaced = 1 << KIND_DISPLACED;
+const int kPlain = ~kDisplaced;
+
+// Of an object of the kinds meant; nothing of others.
+ObjectHit hitObject(const ObjectData object, const MapData map, const Ray ray, const int kinds) {
     ObjectHit hit = noHit();
-    if (isKind(object, KIND_DISPLACED)) hit = hitDisplaced(object, map, ray);
+    if ((kinds & kDisplaced) != 0 && isKind(object, KIND_DISPLACED)) hit = hitDisplaced(object, map, ray);
+    if ((kinds & kPlain) == 0) return hit;
     if (isKind(object, KIND_SPHERE)) hit = hitUnitSphere(ray);
     if (isKind(object, KIND_DISK)) hit = hitRing(object, ray);
 #ifdef WITH_PATHS
@@ -228,9 +234,11 @@ bool displacedBlocks(const ObjectData object, const MapData map, const Ray ray, 
 }
 
 // Any hit: no root is refined, no normal found. `doubtful` is set where another precision must decide.
-bool blocks(const ObjectData object, const MapData map, const Ray ray, INOUT(bool) doubtful) {
+bool blocks(const ObjectData object, const MapData map, const Ray ray, const int kinds, INOUT(bool) doubtful) {
     bool blocked = false;
-    if (isKind(object, KIND_DISPLACED)) blocked = displacedBlocks(object, map, ray, doubtful);
+    if ((kinds & kDisplaced) != 0 && isKind(object, KIND_DISPLACED))
+        blocked = displacedBlocks(object, map, ray, doubtful);
+    if ((kinds & kPlain) == 0) return blocked;
     if (isKind(object, KIND_SPHERE)) blocked = hitUnitSphere(ray).hit;
     if (isKind(object, KIND_DISK)) blocked = hitRing(object, ray).hit;
 #ifdef WITH_PATHS

@@ -65,10 +65,7 @@ Scattering scatterTowards(const Vertex vertex, const vec3 direction) {
 
 // Whether anything but the light itself stands between P' and the sample.
 bool isVisible(const SurfacePoint point, const LightData light, const LightSample light_sample, inout bool doubtful) {
-    bool visible = true;
-    for (int k = 0; k < kObjectCount && visible; ++k)
-        if (k != light.object) visible = !shades(k, point, light_sample.place, light_sample.ends, doubtful);
-    return visible;
+    return !isShaded(point, light_sample.place, light_sample.ends, light.object, doubtful);
 }
 
 float powerWeight(const float own, const float other) {
@@ -129,13 +126,6 @@ vec3 emitted(const SurfacePoint point, const Segment segment, const vec3 directi
         sum += emission.radiance * (departure.density > 0.0 ? powerWeight(departure.density, rival) : 1.0);
     }
     return sum;
-}
-
-vec3 segmentDirection(const Segment segment) {
-    if (!segment.camera) return segment.direction;
-    ObjectData object = objects[0];
-    Ray ray = cameraRay(object, segment.raster - vec2(object.anchor_x, object.anchor_y), segment.jitter);
-    return normalize(fromCentre(object, ray.d));
 }
 
 // A picture's sample, or the planes of its centre.

@@ -20,7 +20,7 @@ void main() {
     line.dy = makePair(query.direction.y, query.direction_lo.y);
     line.dz = makePair(query.direction.z, query.direction_lo.z);
     Ray ray = makeRay(line, query.point.w, query.direction.w, query.flags == 0u);
-    ObjectHit hit = hitObject(objects[0], maps[0], ray);
+    ObjectHit hit = hitObject(objects[0], maps[0], ray, ~0);
     ProbeHit answer;
     answer.position = vec4(hit.p, hit.hit ? dot(hit.p, ray.d) - ray.s_point : 0.0);
     answer.normal = vec4(hit.n, hit.residual);

@@ -1,6 +1,7 @@
 #version 450
 // One pixel of one tile, or of the list of pixels to retry: its ray, the nearest hit, the film's planes.
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 
 #include "resources.glsl"
 

@@ -116,6 +116,7 @@ Ray segmentRay(const Segment segment, const int k, const ObjectData object, cons
     return ray;
 }
 
+
 // P' stands on the level that the ray before met; rays from it meet other objects' maps themselves.
 int segmentLevel(const Segment segment, const int k, const ObjectData object, const Ray ray) {
 #ifdef WITH_PATHS
@@ -131,13 +132,74 @@ vec3 towardsHit(const Segment segment, const ObjectData object, const vec3 p, co
     return fromRayStart(object, p, pixel + segment.jitter);
 }
 
-// Keeps object k's hit if it is the nearest so far.
-void considerObject(inout SurfacePoint best, const int k, const Segment segment) {
+// World, unit.
+vec3 segmentDirection(const Segment segment) {
+#ifdef WITH_PATHS
+    if (!segment.camera) return segment.direction;
+#endif
+    ObjectData object = objects[0];
+    Ray ray = cameraRay(object, segment.raster - vec2(object.anchor_x, object.anchor_y), segment.jitter);
+    return normalize(fromCentre(object, ray.d));
+}
+
+// World, from object 0's centre.
+vec3 segmentStart(const Segment segment) {
+#ifdef WITH_PATHS
+    if (!segment.camera) return segment.from_first;
+#endif
+    ObjectData object = objects[0];
+    vec2 pixel = segment.raster + segment.jitter - vec2(object.anchor_x, object.anchor_y);
+    return pixel.x * object.start_x.xyz + pixel.y * object.start_y.xyz - object.from_start.xyz;
+}
+
+// A bit an object: displaced spheres that a ray may meet. The loop that marches through them has a turn for each that
+// some ray of a group may meet, and none for the other objects: most groups take one turn or none.
+struct Candidates {
+    uint low, high;
+};
+
+bool isLeft(const Candidates candidates) {
+    return (candidates.low | candidates.high) != 0u;
+}
+
+int takeFirst(inout Candidates candidates) {
+    bool in_low = candidates.low != 0u;
+    int k = in_low ? findLSB(candidates.low) : 32 + findLSB(candidates.high);
+    candidates.high = in_low ? candidates.high : candidates.high & (candidates.high - 1u);
+    candidates.low = candidates.low & (candidates.low - 1u);
+    return k;
+}
+
+// Whether a ray (start from object 0's centre, direction unit, world) may enter a sphere: never a false no, by a margin far
+// above what the ray's rounding comes to. Spheres of negative radius are never met: those of other objects, so that no
+// kind has to be asked for, see onlyObject().
+bool mayMeet(const vec4 sphere, const vec3 start, const vec3 direction) {
+    vec3 towards = sphere.xyz - start;
+    float along = dot(towards, direction);
+    vec3 beside = towards - along * direction;
+    float reach = sphere.w + 1e-5 * (length(start) + length(towards));
+    return along > -reach && dot(beside, beside) < reach * abs(reach);
+}
+
+Candidates displacedNear(const vec3 start, const vec3 direction) {
+    Candidates candidates;
+    candidates.low = 0u;
+    candidates.high = 0u;
+    [[dont_unroll]] for (int k = 0; k < kObjectCount; ++k) {
+        uint bit = mayMeet(objects[k].from_first, start, direction) ? 1u << (k & 31) : 0u;
+        candidates.low |= k < 32 ? bit : 0u;
+        candidates.high |= k < 32 ? 0u : bit;
+    }
+    return candidates;
+}
+
+// Keeps object k's hit, if it is of the kinds meant, and the nearest so far.
+void considerObject(inout SurfacePoint best, const int k, const Segment segment, const int kinds) {
     ObjectData object = objects[onlyObject(k)];
     vec2 pixel = segment.raster - vec2(object.anchor_x, object.anchor_y);
     Ray ray = segmentRay(segment, k, object, pixel);
     int level = segmentLevel(segment, k, object, ray);
-    ObjectHit hit = hitObject(object, mapOf(k, level), ray);
+    ObjectHit hit = hitObject(object, mapOf(k, level), ray, kinds);
     best.steps += hit.steps;
     best.exhausted = best.exhausted || hit.exhausted;
     best.doubtful = best.doubtful || hit.doubtful;
@@ -183,10 +245,14 @@ SurfacePoint nearestHit(const Segment segment) {
     best.ramp = -1;  // lest it be the object's alone: see onlyObject()
     best.t = kInfinity;
     // Not even a loop of one turn is free: it stands between the driver and what it could do once.
-    if (kObjectCount == 1)
-        considerObject(best, 0, segment);
-    else
-        for (int k = 0; k < kObjectCount; ++k) considerObject(best, k, segment);
+    if (kObjectCount == 1) {
+        considerObject(best, 0, segment, ~0);
+        return best;
+    }
+    Candidates candidates = displacedNear(segmentStart(segment), segmentDirection(segment));
+    if ((kKinds & kPlain) != 0)
+        [[dont_unroll]] for (int k = 0; k < kObjectCount; ++k) considerObject(best, k, segment, kPlain);
+    while (isLeft(candidates)) considerObject(best, takeFirst(candidates), segment, kDisplaced);
     return best;
 }
 
@@ -228,14 +294,27 @@ vec3 albedoOf(const SurfacePoint point) {
 
 // Whether object k is between P' and a light: at `place`, seen from object 0's centre, if the ray `ends` there; in the
 // direction `place` if it goes on for ever.
-bool shades(const int k, const SurfacePoint point, const vec3 place, const bool ends, inout bool doubtful) {
+bool shades(const int k, const SurfacePoint point, const vec3 place, const bool ends, const int kinds,
+            inout bool doubtful) {
     ObjectData object = objects[onlyObject(k)];
     vec3 start = startFor(k, object, point.object, point.start);
     vec3 offset = ends ? objectFromWorldVector(object, place - object.from_first.xyz) - start
                        : objectFromWorldVector(object, place);
     // P' stands on the level that the camera's ray met; other objects throw the shadows of their maps.
     MapData map = mapOf(k, k == point.object ? point.level : 0);
-    return blocks(object, map, secondaryRay(start, offset, ends), doubtful);
+    return blocks(object, map, secondaryRay(start, offset, ends), kinds, doubtful);
+}
+
+// Whether any object is, but `except`: -1, or a plain one that shines itself.
+bool isShaded(const SurfacePoint point, const vec3 place, const bool ends, const int except, inout bool doubtful) {
+    if (kObjectCount == 1) return shades(0, point, place, ends, ~0, doubtful) && except != 0;
+    bool shaded = false;
+    if ((kKinds & kPlain) != 0)
+        [[dont_unroll]] for (int k = 0; k < kObjectCount && !shaded; ++k)
+            if (k != except) shaded = shades(k, point, place, ends, kPlain, doubtful);
+    Candidates candidates = displacedNear(point.from_first, normalize(ends ? place - point.from_first : place));
+    while (!shaded && isLeft(candidates)) shaded = shades(takeFirst(candidates), point, place, ends, kDisplaced, doubtful);
+    return shaded;
 }
 
 #ifdef WITH_CURVED

@@ -122,6 +122,18 @@ void packTransforms(ObjectData& object, const Frame& frame) {
     object.to_world_z = worldRow(2);
 }
 
+// Of a sphere about the centre, world, that holds a displaced sphere; negative for other shapes. A matrix A stretches by
+// at most the root of the greatest row sum of its transpose times A.
+double holdingRadius(const ObjectData& object, const Shape& shape, double unit) {
+    if (object.kind != KIND_DISPLACED) return -1e15;
+    const dmat3 linear(shape.world_from_object);
+    const dmat3 square = glm::transpose(linear) * linear;
+    double greatest = 0.0;
+    for (int i = 0; i < 3; ++i)
+        greatest = std::max(greatest, std::abs(square[i].x) + std::abs(square[i].y) + std::abs(square[i].z));
+    return 1.00001 * unit * std::sqrt(greatest * double(object.shell_squared));
+}
+
 double longitudeOriginOf(const Shape& shape) {
     const auto* sphere = std::get_if<DisplacedSphere>(&shape.geometry);
     return sphere ? sphere->longitude_origin.value_or(-180.0) : -180.0;
@@ -255,7 +267,7 @@ PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels) 
         ObjectData object = {};
         packed.units.push_back(packGeometry(object, packed, shape, maps.map_of_shape[i], maps.reliefs[i], levels));
         packTransforms(object, frameOf(shape, packed.units.back()));
-        object.from_first = narrow(centreOf(shape) - centreOf(scene.shapes[0]), 0.0);
+        object.from_first = narrow(centreOf(shape) - centreOf(scene.shapes[0]), holdingRadius(object, shape, packed.units.back()));
         packed.objects.push_back(object);
     }
     packImages(packed, scene, maps);

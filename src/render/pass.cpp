@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cstring>
+#include <functional>
+#include <future>
 
 namespace dsphere {
 
@@ -52,13 +54,17 @@ const Variants kBaseline = {kSpirv_render_baseline, kSpirv_render_baseline_curve
 
 }  // namespace
 
+// Drivers take long over each, and can take both at once.
 PassPipelines::PassPipelines(gpu::Device& device, const SceneTraits& traits, float stride, const MarchMethod& method,
-                             std::uint32_t mask)
-    : first_(makeMarchPipeline(device, traits, stride,
-                               (method.marcher == Marcher::Exact ? kFilter : kBaseline).of(traits), Shader::Render,
-                               method, mask)) {
-    if (method.marcher == Marcher::Exact && (traits.kinds & 1u << KIND_DISPLACED))
-        full_ = makeMarchPipeline(device, traits, stride, kFull.of(traits), Shader::Render, method, mask);
+                             std::uint32_t mask) {
+    const auto make = [&](const Variants& variants) {
+        return makeMarchPipeline(device, traits, stride, variants.of(traits), Shader::Render, method, mask);
+    };
+    const bool exact = method.marcher == Marcher::Exact;
+    std::future<gpu::ComputePipeline> full;
+    if (exact && (traits.kinds & 1u << KIND_DISPLACED)) full = std::async(std::launch::async, make, std::cref(kFull));
+    first_ = make(exact ? kFilter : kBaseline);
+    if (full.valid()) full_ = full.get();
 }
 
 void makeAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method, std::uint32_t mask) {

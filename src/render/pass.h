@@ -19,15 +19,14 @@ class PassPipelines {
     PassPipelines(gpu::Device& device, const SceneTraits& traits, float stride, const MarchMethod& method,
                   std::uint32_t mask);
 
-    const gpu::ComputePipeline& first() const { return first_; }
+    const gpu::ComputePipeline& first() const { return *first_; }
     const std::optional<gpu::ComputePipeline>& full() const { return full_; }
 
     /// What a pixel of the last sample took, of whatever picture: the first round of the next is sized by it. 0: unknown.
     double pixel_seconds = 0.0;
 
   private:
-    gpu::ComputePipeline first_;
-    std::optional<gpu::ComputePipeline> full_;
+    std::optional<gpu::ComputePipeline> first_, full_;
 };
 
 /// Makes those of an exact marcher, all at once, for the device to find when they are asked for: on a thread of the
