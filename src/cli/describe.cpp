@@ -85,7 +85,8 @@ struct DescribeLight {
 
 Json describeIntegrator(const Integrator& integrator) {
     const bool path = integrator.kind == Integrator::Kind::Path;
-    return {{"type", path ? "path" : "directlighting"}, {"max_depth", integrator.max_depth},
+    return {{"type", path ? "path" : "directlighting"},
+            {"max_depth", integrator.max_depth},
             {"regularize", integrator.regularize}};
 }
 

@@ -123,7 +123,8 @@ void Batch::write(const Buffer& buffer, const void* data, std::uint64_t bytes) {
     constexpr VkPipelineStageFlags transfer = VK_PIPELINE_STAGE_TRANSFER_BIT;
     constexpr VkPipelineStageFlags compute = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
     commands_.barrier(compute | transfer | VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT,
-                      VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT, transfer, VK_ACCESS_TRANSFER_WRITE_BIT);
+                      VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT, transfer,
+                      VK_ACCESS_TRANSFER_WRITE_BIT);
     device_->vk().vkCmdUpdateBuffer(commands_.handle(), buffer.handle(), 0, bytes, data);
     commands_.barrier(transfer, VK_ACCESS_TRANSFER_WRITE_BIT, compute | transfer,
                       VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_READ_BIT);

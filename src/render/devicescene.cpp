@@ -285,7 +285,7 @@ void DeviceScene::updateReliefs(const PackedScene& packed) {
 
 std::vector<gpu::Resource> DeviceScene::resources() const {
     return {&objects_, &maps_,    &lights_, &materials_, &triangles_, &ramps_,
-            &tables_,  &heights_, &bounds_, &edges_, &images_, &nodes_};
+            &tables_,  &heights_, &bounds_, &edges_,     &images_,    &nodes_};
 }
 
 }  // namespace dsphere

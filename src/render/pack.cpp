@@ -1,10 +1,10 @@
 #include "render/pack.h"
 
 #include "base/error.h"
+#include "render/narrow.h"
 #include "render/packlevels.h"
 #include "render/packlight.h"
 #include "render/packmesh.h"
-#include "render/narrow.h"
 #include "scene/ramps.h"
 
 #include <algorithm>
@@ -122,8 +122,8 @@ void packTransforms(ObjectData& object, const Frame& frame) {
     object.to_world_z = worldRow(2);
 }
 
-// Of a sphere about the centre, world, that holds a displaced sphere; negative for other shapes. A matrix A stretches by
-// at most the root of the greatest row sum of its transpose times A.
+// Of a sphere about the centre, world, that holds a displaced sphere; negative for other shapes. A matrix A stretches
+// by at most the root of the greatest row sum of its transpose times A.
 double holdingRadius(const ObjectData& object, const Shape& shape, double unit) {
     if (object.kind != KIND_DISPLACED) return -1e15;
     const dmat3 linear(shape.world_from_object);
@@ -161,8 +161,7 @@ void packMaterial(ObjectData& object, const Shape& shape, const Relief& relief) 
     object.ramp = -1;
     object.ramp_offset = float(relief.h_offset);
     object.ramp_scale = float(relief.h_scale);
-    if (const auto* constant = textureAs<ConstantColour>(shape.material))
-        object.albedo = narrow(constant->rgb, 1.0);
+    if (const auto* constant = textureAs<ConstantColour>(shape.material)) object.albedo = narrow(constant->rgb, 1.0);
     if (const auto* board = textureAs<Checkerboard>(shape.material)) object.albedo = narrow(board->even, 1.0);
     if (const auto* mirror = std::get_if<Mirror>(&shape.material)) object.albedo = narrow(mirror->reflectance, 1.0);
     if (const auto* metal = std::get_if<Conductor>(&shape.material))
@@ -267,7 +266,8 @@ PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels) 
         ObjectData object = {};
         packed.units.push_back(packGeometry(object, packed, shape, maps.map_of_shape[i], maps.reliefs[i], levels));
         packTransforms(object, frameOf(shape, packed.units.back()));
-        object.from_first = narrow(centreOf(shape) - centreOf(scene.shapes[0]), holdingRadius(object, shape, packed.units.back()));
+        object.from_first =
+            narrow(centreOf(shape) - centreOf(scene.shapes[0]), holdingRadius(object, shape, packed.units.back()));
         packed.objects.push_back(object);
     }
     packImages(packed, scene, maps);

@@ -40,17 +40,17 @@ struct PackedScene {
     std::vector<PackedRelief> reliefs;               ///< distinct ones, and their levels of detail
     std::vector<ImageWords> images;                  ///< one an image of SceneMaps, which they refer to
     std::vector<int> image_of_object;                ///< index in `images`, -1: none
-    std::vector<PackedCentres> centres;              ///< one an object; regularized ones from MAX_OBJECTS on, empty without an image
+    std::vector<PackedCentres> centres;              ///< one an object, empty without an image
     std::vector<layout::vec4> ramp_points;           ///< all ramps, RAMP_POINTS each
-    std::vector<layout::MaterialData> materials;     ///< one an object
+    std::vector<layout::MaterialData> materials;     ///< one an object; regularized ones from MAX_OBJECTS on
     std::vector<layout::TriangleData> triangles;     ///< of all meshes
     PathTables tables;
-    int light_image = -1;                            ///< index in `images` of the infinite light's, -1: none
+    int light_image = -1;  ///< index in `images` of the infinite light's, -1: none
     SceneTraits traits;
 };
 
-/// Error (InvalidInput) with more than MAX_OBJECTS shapes, MAX_LIGHTS lights, MAX_TRIANGLES triangles, MAX_MARCHES rays a
-/// pixel, or MAX_DEPTH reflections.
+/// Error (InvalidInput) with more than MAX_OBJECTS shapes, MAX_LIGHTS lights, MAX_TRIANGLES triangles, MAX_MARCHES rays
+/// a pixel, or MAX_DEPTH reflections.
 PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels = Levels::Finest);
 
 /// Gives a packed scene the camera and film of `scene`, which has changed in nothing else.

@@ -86,7 +86,8 @@ Pass::Pass(gpu::Device& device, PassPipelines& pipelines, const DeviceScene& dev
 void Pass::warmUp() {
     const layout::RetryHead none = {0, 1, 1, 0};
     batch_.write(retry_list_, &none, sizeof(none));
-    for (const gpu::ComputePipeline* pipeline : {&pipelines_.first(), pipelines_.full() ? &*pipelines_.full() : nullptr}) {
+    for (const gpu::ComputePipeline* pipeline :
+         {&pipelines_.first(), pipelines_.full() ? &*pipelines_.full() : nullptr}) {
         if (!pipeline) continue;
         batch_.bind(*pipeline, set_);
         batch_.push(layout::RenderParams{});

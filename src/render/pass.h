@@ -22,7 +22,8 @@ class PassPipelines {
     const gpu::ComputePipeline& first() const { return *first_; }
     const std::optional<gpu::ComputePipeline>& full() const { return full_; }
 
-    /// What a pixel of the last sample took, of whatever picture: the first round of the next is sized by it. 0: unknown.
+    /// What a pixel of the last sample took, of whatever picture: the first round of the next is sized by it. 0:
+    /// unknown.
     double pixel_seconds = 0.0;
 
   private:

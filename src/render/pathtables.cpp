@@ -27,7 +27,8 @@ void appendDistribution(std::vector<float>& table, std::span<const double> weigh
     table.back() = 1.0f;
 }
 
-// Of the bilinear image over each texel of a row: a texel's own value alone would leave out black ones beside bright ones.
+// Of the bilinear image over each texel of a row: a texel's own value alone would leave out black ones beside bright
+// ones.
 std::vector<double> texelMeans(const ColourMap& image, int row) {
     const int width = image.width(), last = image.height() - 1;
     std::vector<double> down, means;
@@ -35,8 +36,7 @@ std::vector<double> texelMeans(const ColourMap& image, int row) {
     auto light = [&](int i, int k) { return std::max(0.0, luminance(image.texel(i, rows[k]))); };
     for (int i = 0; i < width; ++i) down.push_back(0.125 * light(i, 0) + 0.75 * light(i, 1) + 0.125 * light(i, 2));
     auto column = [&](int i) { return down[std::size_t((i + width) % width)]; };
-    for (int i = 0; i < width; ++i)
-        means.push_back(0.125 * column(i - 1) + 0.75 * column(i) + 0.125 * column(i + 1));
+    for (int i = 0; i < width; ++i) means.push_back(0.125 * column(i - 1) + 0.75 * column(i) + 0.125 * column(i + 1));
     return means;
 }
 
@@ -46,8 +46,8 @@ double hidden(double cosine, double alpha) {
     return 0.5 * (std::sqrt(1.0 + alpha * alpha * tan2) - 1.0);
 }
 
-// One minus the mean of G2 / G1 over the visible facets (Heitz 2018), by midpoints of their sample numbers. Smooth facets
-// lose light at the rim of the disk that they are drawn from alone, so the radii crowd there.
+// One minus the mean of G2 / G1 over the visible facets (Heitz 2018), by midpoints of their sample numbers. Smooth
+// facets lose light at the rim of the disk that they are drawn from alone, so the radii crowd there.
 double lossAt(double cosine, double alpha) {
     constexpr int kRadii = 4096, kAngles = 24;  // of one half, which mirrors the other
     const double c = std::max(cosine, 1e-5);
@@ -90,7 +90,8 @@ std::vector<float> filterPlaces(double radius, double falloff) {
     std::vector<double> cumulative(kSteps + 1);
     auto kernel = [&](double x) { return std::exp(-falloff * x * x) - std::exp(-falloff * radius * radius); };
     auto place = [&](double step) { return radius * (2.0 * step / kSteps - 1.0); };
-    for (int i = 0; i < kSteps; ++i) cumulative[std::size_t(i) + 1] = cumulative[std::size_t(i)] + kernel(place(i + 0.5));
+    for (int i = 0; i < kSteps; ++i)
+        cumulative[std::size_t(i) + 1] = cumulative[std::size_t(i)] + kernel(place(i + 0.5));
     std::vector<float> places = {float(-radius)};
     for (int k = 1; k < FILTER_INTERVALS; ++k) {
         const double wanted = cumulative.back() * k / FILTER_INTERVALS;

@@ -29,8 +29,8 @@ std::vector<Box> makeTiles(const std::vector<Span>& spans, int x0, int x1) {
     return tiles;
 }
 
-// As many tiles a round as fit the time target, at the rate of the last round, and the pass. The last tiles may have been
-// cheap: so at most twice as many as last time, unless that took much less than the target.
+// As many tiles a round as fit the time target, at the rate of the last round, and the pass. The last tiles may have
+// been cheap: so at most twice as many as last time, unless that took much less than the target.
 double TileRun::step(Pass& pass, int sample, std::uint32_t seed, double target) {
     std::vector<layout::RenderParams> round;
     double most = pass.pixelSeconds() > 0.0 ? target / pass.pixelSeconds() : 1.0;

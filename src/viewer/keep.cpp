@@ -83,9 +83,9 @@ void App::saveScene() {
         options += fmt::format(" --detail {}", view_.method.detail);
     const std::string command = fmt::format("dsphere render {}{}", path.string(), options);
     AtomicFile file(path);
-    const std::string text = fmt::format("# Saved by dsphere view from {}. Rendered as it was seen by\n#     {}\n{}",
-                                         stage_->document().path, command,
-                                         sceneText(scene, std::filesystem::current_path()));
+    const std::string text =
+        fmt::format("# Saved by dsphere view from {}. Rendered as it was seen by\n#     {}\n{}",
+                    stage_->document().path, command, sceneText(scene, std::filesystem::current_path()));
     file.write(text.data(), text.size());
     file.commit();
     say(fmt::format("Wrote {} into {}\n{}", path.string(), std::filesystem::current_path().string(), command));

@@ -89,7 +89,8 @@ void drawStatusBar(Ui& ui, int width, int height, double scale) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const std::string progress = progressText(ui.figures) + modeText(ui);
     // Where there is no room for all, what the cursor points at goes before the buttons, and both before the rest.
-    const float buttons = widthOf("Tab: panel") + widthOf("H: keys") + 4.0f * style.FramePadding.x + style.ItemSpacing.x;
+    const float buttons =
+        widthOf("Tab: panel") + widthOf("H: keys") + 4.0f * style.FramePadding.x + style.ItemSpacing.x;
     const float hover = ui.figures.hover.empty() ? 0.0f : widthOf(ui.figures.hover.c_str()) + 2.0f * pad;
     float room = float(width) - 2.0f * pad - hover;
     const auto fits = [&](float wide) {

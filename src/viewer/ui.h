@@ -39,7 +39,7 @@ struct Ui {
     std::optional<ImageMap> image;    ///< that the file gives the globe
     std::optional<SunAngles> sun;     ///< unset: the scene has no distant light
     bool panel_open = false, keys_open = false;
-    bool let_go = false;  ///< the next frame closes open lists
+    bool let_go = false;     ///< the next frame closes open lists
     bool displaced = false;  ///< the globe has a relief
     std::string message;     ///< a line that came up; an error stays until it is dismissed
     bool has_picture = false;

@@ -79,7 +79,8 @@ TEST(Directives, Integrators) {
     EXPECT_EQ(parseParts("Integrator \"directlighting\"").integrator, (Integrator{Kind::DirectLighting, 5}));
     EXPECT_EQ(parseParts("Integrator \"path\" \"integer maxdepth\" 0").integrator, (Integrator{Kind::Path, 0}));
     EXPECT_EQ(parseParts("Integrator \"volpath\" \"integer maxdepth\" 9").integrator, (Integrator{Kind::Path, 9}));
-    EXPECT_EQ(parseParts("Integrator \"path\" \"bool regularize\" true").integrator, (Integrator{Kind::Path, 5, 0.0, true}));
+    EXPECT_EQ(parseParts("Integrator \"path\" \"bool regularize\" true").integrator,
+              (Integrator{Kind::Path, 5, 0.0, true}));
 }
 
 TEST(Directives, PixelFiltersInBothSpellings) {
