@@ -199,6 +199,7 @@ Gathered gather(Segment segment, const Numbers numbers, const Rules rules) {
         departure.normal = point.normal;
         departure.from_camera_hit = n == 0;
         segment.camera = false;
+        segment.clear = -kInfinity;
         segment.object = point.object;
         segment.level = point.level;
         segment.start = point.start;

@@ -106,16 +106,18 @@ Ray segmentRay(const Segment segment, const int k, const ObjectData object, cons
         return secondaryRay(startFor(k, object, segment.object, segment.start),
                             objectFromWorldVector(object, segment.direction), false);
 #endif
-    Ray ray = cameraRay(object, pixel, segment.jitter);
+    return cameraRay(object, pixel, segment.jitter);
+}
+
+// A retried camera ray starts where the filter's certainty ended.
+void startClear(inout Ray ray, const Segment segment) {
 #if MARCH_WITH == MARCH_FULL
     if (kObjectCount == 1 && segment.clear > ray.s_min) {
         ray.s_min = segment.clear;
         ray.may_start_inside = false;
     }
 #endif
-    return ray;
 }
-
 
 // P' stands on the level that the ray before met; rays from it meet other objects' maps themselves.
 int segmentLevel(const Segment segment, const int k, const ObjectData object, const Ray ray) {
@@ -199,6 +201,7 @@ void considerObject(inout SurfacePoint best, const int k, const Segment segment,
     vec2 pixel = segment.raster - vec2(object.anchor_x, object.anchor_y);
     Ray ray = segmentRay(segment, k, object, pixel);
     int level = segmentLevel(segment, k, object, ray);
+    startClear(ray, segment);  // after the level, which goes by where the ray enters the shell
     ObjectHit hit = hitObject(object, mapOf(k, level), ray, kinds);
     best.steps += hit.steps;
     best.exhausted = best.exhausted || hit.exhausted;

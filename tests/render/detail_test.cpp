@@ -47,6 +47,19 @@ TEST_F(DetailTest, ALevelIsMarchedAsIfItWereTheMap) {
     EXPECT_NE(detail.at("t").pixels, exact.at("t").pixels);
 }
 
+// A retry starts late on its ray, but on the level that pixels have where the ray enters the shell.
+TEST_F(DetailTest, RetriedRaysKeepTheirLevel) {
+    const World whole = large("\"float maxdispl\" 300");
+    World halves = large("\"float maxdispl\" 300");
+    for (int level = 1; level <= 2; ++level)
+        halves.maps.maps[0] = std::make_unique<Heightmap>(*halved(*halves.maps.maps[0]));
+    const PackedScene packed = packScene(whole.scene, whole.maps, Levels::All);
+    Renderer renderer(device_, packed, whole.scene, {Marcher::Exact, 3e-6f, 1000.0f});
+    const Image detail = renderer.renderPlanes(kVerifyPlanes, {});
+    EXPECT_GT(renderer.stats().retried_pixels, 0u);
+    expectSame(detail, rendered(halves, packScene(halves.scene, halves.maps), 0.0f));
+}
+
 TEST_F(DetailTest, NoHitIsFartherOffThanItsPixels) {
     for (const World& made :
          {large("\"float maxdispl\" 300"),
