@@ -111,7 +111,7 @@ struct Departure {
 };
 
 // What the hit, or the distance, sends back along the path.
-vec3 emitted(const SurfacePoint point, const Segment segment, const vec3 direction, const Departure departure) {
+vec3 emitted(const SurfacePoint point, const vec3 direction, const Departure departure) {
     vec3 sum = vec3(0.0);
     for (int k = 0; k < kLightCount; ++k) {
         LightData light = lights[k];
@@ -156,7 +156,7 @@ Gathered gather(Segment segment, const Numbers numbers, const Rules rules) {
         if (n == 0) result.point = point;
         going = !result.doubtful && kWantsLight;
         if (going && sceneHasMetLights())
-            result.colour += throughput * emitted(point, segment, segmentDirection(segment), departure);
+            result.colour += throughput * emitted(point, segmentDirection(segment), departure);
         going = going && point.hit;
         if (!going) continue;
         Vertex vertex = makeVertex(point, albedoOf(point), softened);

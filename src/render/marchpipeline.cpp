@@ -1,8 +1,7 @@
 #include "render/marchpipeline.h"
 
-#include "gpu/device.h"
-
 #include "base/error.h"
+#include "gpu/device.h"
 #include "surface/slope.h"
 
 #include <algorithm>

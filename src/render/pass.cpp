@@ -27,6 +27,8 @@ std::uint32_t groups(int pixels, int group) {
     return std::uint32_t((pixels + group - 1) / group);
 }
 
+constexpr layout::RetryHead kEmptyList = {.groups_x = 0, .groups_y = 1, .groups_z = 1, .count = 0};
+
 std::uint64_t listBytes(const gpu::StorageImage& film) {
     std::uint64_t pixels = std::min(std::uint64_t(film.width()) * film.height(), Pass::kMostPixels);
     return sizeof(layout::RetryHead) + pixels * sizeof(layout::RetryPixel);
@@ -84,22 +86,20 @@ Pass::Pass(gpu::Device& device, PassPipelines& pipelines, const DeviceScene& dev
 
 // Drivers compile at the first dispatch: one without pixels pays for it, outside of the timing.
 void Pass::warmUp() {
-    const layout::RetryHead none = {0, 1, 1, 0};
-    batch_.write(retry_list_, &none, sizeof(none));
-    for (const gpu::ComputePipeline* pipeline :
-         {&pipelines_.first(), pipelines_.full() ? &*pipelines_.full() : nullptr}) {
-        if (!pipeline) continue;
-        batch_.bind(*pipeline, set_);
+    const auto dispatchNothing = [&](const gpu::ComputePipeline& pipeline) {
+        batch_.bind(pipeline, set_);
         batch_.push(layout::RenderParams{});
         batch_.dispatch(1, 1, 1);
-    }
+    };
+    batch_.write(retry_list_, &kEmptyList, sizeof(kEmptyList));
+    dispatchNothing(pipelines_.first());
+    if (pipelines_.full()) dispatchNothing(*pipelines_.full());
     batch_.submit();
 }
 
 double Pass::run(std::span<const layout::RenderParams> tiles) {
     if (tiles.empty()) return 0.0;
-    const layout::RetryHead none = {0, 1, 1, 0};
-    batch_.write(retry_list_, &none, sizeof(none));
+    batch_.write(retry_list_, &kEmptyList, sizeof(kEmptyList));
     batch_.bind(pipelines_.first(), set_);
     for (const layout::RenderParams& tile : tiles) {
         batch_.push(tile);
