@@ -152,13 +152,16 @@ void Comparison::checkSurface(Report& report, const WorldRay& ray, const Answer&
     bool flat = std::holds_alternative<Disk>(geometry) || std::holds_alternative<TriangleMesh>(geometry);
     if (flat && glm::dot(n, ray.direction) > 0.0) n = -n;
     auto angleTo = [&](const dvec3& found) {
+        const bool unit_length = std::abs(glm::length(found) - 1.0) < 1e-5;
+        if (!unit_length) return 180.0f;  // no direction at all
         return float(glm::degrees(std::atan2(glm::length(glm::cross(n, found)), glm::dot(n, found))));
     };
     report.normal_degrees.push_back(angleTo(answer.normal));
+    if (!answer.smooth_normal) return;
     const reference::Surface* surface = tracer_.surface(answer.shape);
-    if (!surface || !surface->relief().smooth_normals || answer.smooth_normal == dvec3(0.0)) return;
-    n = transformNormal(tracer_.objectFromWorld(answer.shape), surface->shadingNormal(p));
-    report.normal_degrees.push_back(angleTo(answer.smooth_normal));
+    if (surface && surface->relief().smooth_normals)
+        n = transformNormal(tracer_.objectFromWorld(answer.shape), surface->shadingNormal(p));
+    report.normal_degrees.push_back(angleTo(*answer.smooth_normal));
 }
 
 }  // namespace dsphere::verify

@@ -4,6 +4,8 @@
 #include "surface/scenemaps.h"
 #include "verify/report.h"
 
+#include <optional>
+
 namespace dsphere::verify {
 
 /// What the device says of one ray. Object space is in object units here, not in units of R.
@@ -12,8 +14,8 @@ struct Answer {
     int shape = -1;
     double t = 0.0;  ///< along the unit world direction
     dvec3 object_position{0.0};
-    dvec3 normal{0.0};         ///< world
-    dvec3 smooth_normal{0.0};  ///< the shading normal; 0 if it was not asked for
+    dvec3 normal{0.0};                     ///< world
+    std::optional<dvec3> smooth_normal{};  ///< the shading normal, if it was asked for
 };
 
 /// What the device says of the light at a hit.
@@ -83,7 +85,9 @@ class Comparison {
     bool isPlain(int shape) const;
     Shade plainShade(const reference::ShadingPoint& point, const Answer& answer, const LightAnswer& light) const;
     Shade fullShade(const reference::ShadingPoint& point, const LightAnswer& light) const;
-    void judgeColour(Report& report, std::uint64_t index, const dvec3& found, const Shade& truth) const;
+    /// `of`: what has the colour, for the message.
+    void judgeColour(Report& report, std::uint64_t index, const dvec3& found, const Shade& truth,
+                     const std::string& of) const;
 
     const Scene& scene_;
     Tolerance tolerance_;

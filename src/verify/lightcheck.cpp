@@ -20,7 +20,7 @@ ShadingPoint pointOf(const Answer& answer, const LightAnswer& light, const dvec3
     return {.shape = answer.shape,
             .object_position = answer.object_position,
             .position = light.position,
-            .normals = {answer.normal, answer.smooth_normal},
+            .normals = {answer.normal, answer.smooth_normal.value_or(answer.normal)},
             .towards_viewer = towards_viewer};
 }
 
@@ -170,7 +170,8 @@ bool Comparison::isPlain(int shape) const {
            !std::holds_alternative<TriangleMesh>(what.geometry) && std::ranges::all_of(scene_.lights, isLamp);
 }
 
-void Comparison::judgeColour(Report& report, std::uint64_t index, const dvec3& found, const Shade& truth) const {
+void Comparison::judgeColour(Report& report, std::uint64_t index, const dvec3& found, const Shade& truth,
+                             const std::string& of) const {
     ++report.colours;
     double worst = 0.0;
     for (int c = 0; c < 3; ++c) {
@@ -180,8 +181,8 @@ void Comparison::judgeColour(Report& report, std::uint64_t index, const dvec3& f
     report.worst_colour = std::max(report.worst_colour, worst);
     if (worst <= 1.0) return;
     ++report.wrong_colours;
-    report.addFault(index, fmt::format("colour: device {:.7g} {:.7g} {:.7g}, reference {:.7g} {:.7g} {:.7g}", found.r,
-                                       found.g, found.b, truth.colour.r, truth.colour.g, truth.colour.b));
+    report.addFault(index, fmt::format("colour of {}: device {:.7g} {:.7g} {:.7g}, reference {:.7g} {:.7g} {:.7g}", of,
+                                       found.r, found.g, found.b, truth.colour.r, truth.colour.g, truth.colour.b));
 }
 
 void Comparison::checkLight(Report& report, std::uint64_t index, const WorldRay& ray, const Answer& answer,
@@ -189,7 +190,8 @@ void Comparison::checkLight(Report& report, std::uint64_t index, const WorldRay&
     for (std::size_t k = 0; k < scene_.lights.size() && k < 32; ++k) checkShadow(report, index, answer, light, k);
     const ShadingPoint point = pointOf(answer, light, -ray.direction);
     judgeColour(report, index, light.colour,
-                isPlain(answer.shape) ? plainShade(point, answer, light) : fullShade(point, light));
+                isPlain(answer.shape) ? plainShade(point, answer, light) : fullShade(point, light),
+                fmt::format("shape {}, lights {:b}", answer.shape + 1, light.lit));
 }
 
 void Comparison::checkMiss(Report& report, std::uint64_t index, const WorldRay& ray, const dvec3& colour) const {
@@ -201,7 +203,7 @@ void Comparison::checkMiss(Report& report, std::uint64_t index, const WorldRay& 
     for (const dvec3& direction : turned(ray.direction, rounding::kTurn))
         shade.bound = glm::max(shade.bound, glm::abs(lights.environment(direction) - shade.colour));
     shade.bound += contract::kColour * shade.colour;
-    judgeColour(report, index, colour, shade);
+    judgeColour(report, index, colour, shade, "the sky");
 }
 
 }  // namespace dsphere::verify

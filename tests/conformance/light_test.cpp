@@ -132,6 +132,32 @@ TEST_F(Lighting, OnCheckerboardsOfEveryShape) {
     expectContract(picture(world).report);
 }
 
+/// Bilinear, spline and ripples in one scene, each with another rough material: one shader that knows them all.
+TEST_F(Lighting, OfAllSurfacesTogether) {
+    World world;
+    addEmitter(world, Sphere{0.8}, translation({-3.2, 5.2, 2.6}), dvec3(34, 31, 26), false);
+    addSky(world);
+    world.addPlain(
+        TriangleMesh{{{-9, -1.2, -9}, {9, -1.2, -9}, {9, -1.2, 9}, {-9, -1.2, 9}}, {{0, 1, 2}, {0, 2, 3}}, {}},
+        dmat4(1.0));
+    DisplacedSphere sphere;
+    sphere.max_displacement = 10.0;
+    const int map = world.addMap(test::fractalMap(128, 64), sphere);
+    world.addSphere(sphere, map, translation({-2.25, 0.0, 0.1}) * turned(25.0));
+    world.scene.shapes.back().material = kRoughMatte;
+    sphere.filter = Filter::BSpline;
+    world.addSphere(sphere, map, translation({0.05, 0.0, -0.6}) * turned(40.0));
+    world.scene.shapes.back().material = kPlastic;
+    sphere.filter = Filter::Bilinear;
+    sphere.ripples = Ripples{12, 10};
+    world.addSphere(sphere, world.addMap(test::fractalMap(128, 64), sphere), translation({2.25, 0.0, 0.2}));
+    world.scene.shapes.back().material = kSmoothConductor;
+    world.lookAt({0.4, 2.3, 8.2}, {0.0, -0.15, 0.0}, dvec3(0.0, 1.0, 0.0), 30.0);
+    const verify::Report report = picture(world).report;
+    expectContract(report);
+    EXPECT_GE(report.hits, 15000u);
+}
+
 /// Lights are counted from the first shape's middle, which is not where a mesh's own origin lies.
 TEST_F(Lighting, WhereAMeshComesFirst) {
     World world;

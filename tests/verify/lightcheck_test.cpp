@@ -189,6 +189,26 @@ TEST(LightCheck, OtherSampleNumbersAreFoundOut) {
     EXPECT_GT(bright, 300u);
 }
 
+// Also where no smoother surface gives them: shading normals are then the surface's own.
+TEST(LightCheck, WrongShadingNormalsAreFoundOut) {
+    const Scene scene = sceneOf(Matte{});
+    const SceneMaps maps = mapsOf(scene, false);
+    const Comparison comparison(scene, maps);
+    const WorldRay ray{{0.0, 0.0, 6.0}, {0.0, 0.0, -1.0}};
+    const reference::WorldHit hit = comparison.tracer().firstHit(ray.origin, ray.direction);
+    ASSERT_EQ(hit.shape, 0);
+    Answer answer{.hit = true, .shape = 0, .t = hit.t(), .object_position = {0.0, 0.0, 1.0}, .normal = {0.0, 0.0, 1.0}};
+    for (const dvec3& wrong : {dvec3(0.0), dvec3(0.0, 0.01, 1.0)}) {
+        Report report;
+        answer.smooth_normal = answer.normal;
+        comparison.checkHit(report, 0, ray, answer);
+        EXPECT_TRUE(report.passed()) << report.table();
+        answer.smooth_normal = wrong;
+        comparison.checkHit(report, 1, ray, answer);
+        EXPECT_FALSE(report.passed());
+    }
+}
+
 TEST(LightCheck, NoNumberIsNoColour) {
     Scene scene = sceneOf(Matte{});
     addSky(scene);
