@@ -11,9 +11,9 @@ namespace dsphere::viewer {
 
 namespace {
 
-// A draft is shown whole, so it is given more time before the hand is looked at again; a still gives way at once.
+// A draft is shown whole; a still gives way to the hand, which is looked at after each of its submissions.
 constexpr double kDraftSlice = 0.060, kStillSlice = 0.012;
-constexpr double kDraftSubmit = kDraftSlice, kStillSubmit = 0.008;  ///< one submission's aim
+constexpr double kDraftSubmit = kDraftSlice, kStillSubmit = 0.006;  ///< one submission's aim
 constexpr double kIdleWait = 0.1, kRefiningRedraw = 0.25;
 constexpr double kMessageSeconds = 5.0, kFade = 0.5;
 
@@ -111,8 +111,10 @@ bool App::renderSlice() {
     const bool draft = schedule_.draft();
     LiveFilm& film = stage_->film();
     bool done = false;
-    while (!done && window_.now() - start < (draft ? kDraftSlice : kStillSlice))
+    while (!done && (draft || !called()) && window_.now() - start < (draft ? kDraftSlice : kStillSlice)) {
         done = film.step(draft ? kDraftSubmit : kStillSubmit);
+        if (!draft) listen(0.0);
+    }
     draft_seconds_ += window_.now() - start;
     if (!done) return false;
     if (draft) schedule_.draftTook(draft_seconds_, draw_seconds_);
@@ -140,9 +142,7 @@ void App::publish() {
     published_ = true;
 }
 
-void App::drawFrame() {
-    if (!window_.visible()) return;
-    const double start = window_.now();
+void App::layOutFrame() {
     rescale();
     ImGui_ImplGlfw_NewFrame();
     ImGui::GetIO().DisplaySize = ImVec2(float(window_.width()), float(window_.height()));
@@ -157,6 +157,12 @@ void App::drawFrame() {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     ImGui::Render();
     for (int code : std::exchange(typed_, {})) ImGui::GetIO().KeysDown[code] = window_.isDown(code);
+}
+
+void App::drawFrame() {
+    if (!window_.visible()) return;
+    const double start = window_.now();
+    layOutFrame();
     bool shown = presenter_.draw(*ImGui::GetDrawData());
     presenter_.finish();
     const double now = window_.now();
@@ -179,6 +185,13 @@ void App::listen(double wait) {
     heard_.insert(heard_.end(), events.begin(), events.end());
 }
 
+// Whether what was heard asks for another picture: a mouse that moves over a still one does not.
+bool App::called() const {
+    return std::ranges::any_of(heard_, [&](const Event& event) {
+        return event.kind == Event::Move ? drag_ != Drag::None : event.kind != Event::KeyUp;
+    });
+}
+
 void App::run() {
     last_loop_ = last_poll_ = window_.now();
     while (!window_.closing() && !options_.interrupted()) {
@@ -197,7 +210,11 @@ void App::run() {
         if (fresh) listen(0.0);  // between the two long parts of a turn, to know better when events came
         bool late = window_.now() - last_draw_ > kRefiningRedraw;
         bool fading = !ui_.message.empty() && !ui_.message_is_error;
-        if (fresh || flew || frames_due_ > 0 || (late && (!idle() || fading || loading_.busy()))) drawFrame();
+        // A still that is about to be dropped need not be drawn first.
+        if (fresh && !schedule_.draft() && !late && called())
+            frames_due_ = std::max(frames_due_, 1);
+        else if (fresh || flew || frames_due_ > 0 || (late && (!idle() || fading || loading_.busy())))
+            drawFrame();
         if (fading && window_.now() > message_until_) {
             ui_.message.clear();
             frames_due_ = std::max(frames_due_, 1);

@@ -70,9 +70,11 @@ class App {
 
     // app.cpp: the loop
     void listen(double wait);
+    bool called() const;
     bool renderSlice();
     void startPicture(bool draft);
     void publish();
+    void layOutFrame();
     void drawFrame();
     bool idle() const;
     int targetSamples() const;

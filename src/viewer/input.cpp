@@ -34,10 +34,13 @@ std::optional<dvec3> App::pointUnder(const dvec2& cursor) {
     return pick->point;
 }
 
-// Whether the cursor is over a panel. ImGui knows of the place that it last drew a frame with.
+// Whether the cursor is over a panel. ImGui knows of the place that it last laid a frame out with.
 bool App::onPanel() {
     const ImVec2 known = ImGui::GetIO().MousePos;
-    if (known.x != float(window_.cursor().x) || known.y != float(window_.cursor().y)) drawFrame();
+    if (known.x != float(window_.cursor().x) || known.y != float(window_.cursor().y)) {
+        layOutFrame();
+        applyUi();
+    }
     return ImGui::GetIO().WantCaptureMouse;
 }
 
