@@ -58,7 +58,9 @@ using uint = std::uint32_t;
 #define SPEC_SHADOWS 19       // 0: light passes through everything
 #define SPEC_REGULARIZE 20    // 1: later facets are rougher
 #define SPEC_RETRY_STRIDE 21  // invocations from one retried pixel to the next: their rays have nothing in common
-#define SPEC_COUNT 22
+#define SPEC_ONLY_DISPLACED 22 // the scene's only displaced sphere, by its index; -1: it has none or several
+#define SPEC_ONLY_PLAIN 23     // the same of all other objects
+#define SPEC_COUNT 24
 
 #define MARCHER_EXACT 0
 #define MARCHER_NAIVE 1        // the seed's: from the camera

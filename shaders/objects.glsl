@@ -189,12 +189,8 @@ ObjectHit hitDisplaced(const ObjectData object, const MapData map, const Ray ray
     return hit;
 }
 
-bool sceneHas(const int kind) {
-    return (kKinds & (1 << kind)) != 0;
-}
-
 bool isKind(const ObjectData object, const int kind) {
-    return sceneHas(kind) && (kKinds == 1 << kind || object.kind == kind);
+    return (kKinds & 1 << kind) != 0 && (kKinds == 1 << kind || object.kind == kind);
 }
 
 #ifdef WITH_PATHS
@@ -205,18 +201,26 @@ bool isKind(const ObjectData object, const int kind) {
 const int kDisplaced = 1 << KIND_DISPLACED;
 const int kPlain = ~kDisplaced;
 
+// isKind() of an object that may be of the `kinds` meant alone. Loops over displaced spheres have no other turns.
+bool isKindMeant(const ObjectData object, const int kind, const int kinds) {
+    if ((kinds & 1 << kind) == 0) return false;
+    bool known = kinds == kDisplaced || (kinds == kPlain && kOnlyPlain >= 0);
+    return known ? (kKinds & kinds & 1 << kind) != 0 && ((kKinds & kinds) == 1 << kind || object.kind == kind)
+                 : isKind(object, kind);
+}
+
 // Of an object of the kinds meant; nothing of others.
 ObjectHit hitObject(const ObjectData object, const MapData map, const Ray ray, const int kinds) {
     ObjectHit hit = noHit();
-    if ((kinds & kDisplaced) != 0 && isKind(object, KIND_DISPLACED)) hit = hitDisplaced(object, map, ray);
+    if (isKindMeant(object, KIND_DISPLACED, kinds)) hit = hitDisplaced(object, map, ray);
     if ((kinds & kPlain) == 0) return hit;
-    if (isKind(object, KIND_SPHERE)) hit = hitUnitSphere(ray);
-    if (isKind(object, KIND_DISK)) hit = hitRing(object, ray);
+    if (isKindMeant(object, KIND_SPHERE, kinds)) hit = hitUnitSphere(ray);
+    if (isKindMeant(object, KIND_DISK, kinds)) hit = hitRing(object, ray);
 #ifdef WITH_PATHS
-    if (isKind(object, KIND_MESH)) hit = hitMesh(object, ray);
+    if (isKindMeant(object, KIND_MESH, kinds)) hit = hitMesh(object, ray);
 #endif
 #ifdef WITH_CURVED
-    if (!isKind(object, KIND_DISPLACED)) hit.shading_n = hit.n;
+    if (!isKindMeant(object, KIND_DISPLACED, kinds)) hit.shading_n = hit.n;
 #endif
     return hit;
 }
@@ -236,13 +240,12 @@ bool displacedBlocks(const ObjectData object, const MapData map, const Ray ray, 
 // Any hit: no root is refined, no normal found. `doubtful` is set where another precision must decide.
 bool blocks(const ObjectData object, const MapData map, const Ray ray, const int kinds, INOUT(bool) doubtful) {
     bool blocked = false;
-    if ((kinds & kDisplaced) != 0 && isKind(object, KIND_DISPLACED))
-        blocked = displacedBlocks(object, map, ray, doubtful);
+    if (isKindMeant(object, KIND_DISPLACED, kinds)) blocked = displacedBlocks(object, map, ray, doubtful);
     if ((kinds & kPlain) == 0) return blocked;
-    if (isKind(object, KIND_SPHERE)) blocked = hitUnitSphere(ray).hit;
-    if (isKind(object, KIND_DISK)) blocked = hitRing(object, ray).hit;
+    if (isKindMeant(object, KIND_SPHERE, kinds)) blocked = hitUnitSphere(ray).hit;
+    if (isKindMeant(object, KIND_DISK, kinds)) blocked = hitRing(object, ray).hit;
 #ifdef WITH_PATHS
-    if (isKind(object, KIND_MESH)) blocked = hitMesh(object, ray).hit;
+    if (isKindMeant(object, KIND_MESH, kinds)) blocked = hitMesh(object, ray).hit;
 #endif
     return blocked;
 }

@@ -54,15 +54,13 @@ int levelFor(const int k, const ObjectData object, const Ray ray) {
     return level;
 }
 
-// A scene's only object is read at a constant index: lavapipe reads a buffer once then, not lane by lane. Whoever calls
-// must have no branch that depends on what is read alone: the driver would compile the shader anew for every dispatch,
-// with these values set. So isKind() and its like ask the specialization constants first.
-int onlyObject(const int k) {
-    return kObjectCount == 1 ? 0 : k;
-}
-
-MapData mapOf(const int k, const int level) {
-    return maps[level * MAX_OBJECTS + onlyObject(k)];
+// The only object, of those of the kinds meant, is read at a constant index: lavapipe reads a buffer once then, not lane
+// by lane. Whoever calls must have no branch that depends on what is read alone: the driver would compile the shader anew
+// for every dispatch, with these values set. So isKind() and its like ask the specialization constants first.
+int onlyObject(const int k, const int kinds) {
+    if (kObjectCount == 1) return 0;
+    if (kinds == kDisplaced && kOnlyDisplaced >= 0) return kOnlyDisplaced;
+    return kinds == kPlain && kOnlyPlain >= 0 ? kOnlyPlain : k;
 }
 
 // Where a ray starts: at the camera, through a place of the picture, or on a surface.
@@ -165,6 +163,10 @@ bool isLeft(const Candidates candidates) {
 }
 
 int takeFirst(inout Candidates candidates) {
+    if (kOnlyDisplaced >= 0) {
+        candidates.low = 0u;
+        return kOnlyDisplaced;
+    }
     bool in_low = candidates.low != 0u;
     int k = in_low ? findLSB(candidates.low) : 32 + findLSB(candidates.high);
     candidates.high = in_low ? candidates.high : candidates.high & (candidates.high - 1u);
@@ -187,6 +189,10 @@ Candidates displacedNear(const vec3 start, const vec3 direction) {
     Candidates candidates;
     candidates.low = 0u;
     candidates.high = 0u;
+    if (kOnlyDisplaced >= 0) {
+        candidates.low = mayMeet(objects[kOnlyDisplaced].from_first, start, direction) ? 1u : 0u;
+        return candidates;
+    }
     [[dont_unroll]] for (int k = 0; k < kObjectCount; ++k) {
         uint bit = mayMeet(objects[k].from_first, start, direction) ? 1u << (k & 31) : 0u;
         candidates.low |= k < 32 ? bit : 0u;
@@ -197,12 +203,12 @@ Candidates displacedNear(const vec3 start, const vec3 direction) {
 
 // Keeps object k's hit, if it is of the kinds meant, and the nearest so far.
 void considerObject(inout SurfacePoint best, const int k, const Segment segment, const int kinds) {
-    ObjectData object = objects[onlyObject(k)];
+    ObjectData object = objects[onlyObject(k, kinds)];
     vec2 pixel = segment.raster - vec2(object.anchor_x, object.anchor_y);
     Ray ray = segmentRay(segment, k, object, pixel);
     int level = segmentLevel(segment, k, object, ray);
     startClear(ray, segment);  // after the level, which goes by where the ray enters the shell
-    ObjectHit hit = hitObject(object, mapOf(k, level), ray, kinds);
+    ObjectHit hit = hitObject(object, maps[level * MAX_OBJECTS + onlyObject(k, kinds)], ray, kinds);
     best.steps += hit.steps;
     best.exhausted = best.exhausted || hit.exhausted;
     best.doubtful = best.doubtful || hit.doubtful;
@@ -253,7 +259,9 @@ SurfacePoint nearestHit(const Segment segment) {
         return best;
     }
     Candidates candidates = displacedNear(segmentStart(segment), segmentDirection(segment));
-    if ((kKinds & kPlain) != 0)
+    if (kOnlyPlain >= 0)
+        considerObject(best, kOnlyPlain, segment, kPlain);
+    else if ((kKinds & kPlain) != 0)
         [[dont_unroll]] for (int k = 0; k < kObjectCount; ++k) considerObject(best, k, segment, kPlain);
     while (isLeft(candidates)) considerObject(best, takeFirst(candidates), segment, kDisplaced);
     return best;
@@ -299,12 +307,12 @@ vec3 albedoOf(const SurfacePoint point) {
 // direction `place` if it goes on for ever.
 bool shades(const int k, const SurfacePoint point, const vec3 place, const bool ends, const int kinds,
             inout bool doubtful) {
-    ObjectData object = objects[onlyObject(k)];
+    ObjectData object = objects[onlyObject(k, kinds)];
     vec3 start = startFor(k, object, point.object, point.start);
     vec3 offset = ends ? objectFromWorldVector(object, place - object.from_first.xyz) - start
                        : objectFromWorldVector(object, place);
     // P' stands on the level that the camera's ray met; other objects throw the shadows of their maps.
-    MapData map = mapOf(k, k == point.object ? point.level : 0);
+    MapData map = maps[(k == point.object ? point.level : 0) * MAX_OBJECTS + onlyObject(k, kinds)];
     return blocks(object, map, secondaryRay(start, offset, ends), kinds, doubtful);
 }
 
@@ -312,7 +320,9 @@ bool shades(const int k, const SurfacePoint point, const vec3 place, const bool 
 bool isShaded(const SurfacePoint point, const vec3 place, const bool ends, const int except, inout bool doubtful) {
     if (kObjectCount == 1) return shades(0, point, place, ends, ~0, doubtful) && except != 0;
     bool shaded = false;
-    if ((kKinds & kPlain) != 0)
+    if (kOnlyPlain >= 0)
+        shaded = shades(kOnlyPlain, point, place, ends, kPlain, doubtful) && except != kOnlyPlain;
+    else if ((kKinds & kPlain) != 0)
         [[dont_unroll]] for (int k = 0; k < kObjectCount && !shaded; ++k)
             if (k != except) shaded = shades(k, point, place, ends, kPlain, doubtful);
     Candidates candidates = displacedNear(point.from_first, normalize(ends ? place - point.from_first : place));

@@ -37,6 +37,8 @@ gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& t
     specialization[SPEC_OBJECT_COUNT] = traits.objects;
     specialization[SPEC_LIGHT_COUNT] = traits.lights;
     specialization[SPEC_KINDS] = traits.kinds;
+    specialization[SPEC_ONLY_DISPLACED] = std::uint32_t(traits.only_displaced);
+    specialization[SPEC_ONLY_PLAIN] = std::uint32_t(traits.only_plain);
     specialization[SPEC_PLANES] = planes;
     specialization[SPEC_IMAGES] = traits.images ? 1 : 0;
     specialization[SPEC_SURFACES] = traits.surfaces;

@@ -1,5 +1,7 @@
 #include "render/traits.h"
 
+#include <algorithm>
+
 namespace dsphere {
 
 namespace {
@@ -18,6 +20,14 @@ int geometryKind(const Geometry& geometry) {
     if (std::holds_alternative<DisplacedSphere>(geometry)) return KIND_DISPLACED;
     if (std::holds_alternative<Sphere>(geometry)) return KIND_SPHERE;
     return std::holds_alternative<Disk>(geometry) ? KIND_DISK : KIND_MESH;
+}
+
+int onlyShape(const Scene& scene, bool displaced) {
+    const auto meant = [&](const Shape& shape) {
+        return std::holds_alternative<DisplacedSphere>(shape.geometry) == displaced;
+    };
+    if (std::ranges::count_if(scene.shapes, meant) != 1) return -1;
+    return int(std::ranges::find_if(scene.shapes, meant) - scene.shapes.begin());
 }
 
 SceneTraits::Paths pathsOf(const Scene& scene) {
@@ -75,6 +85,8 @@ SceneTraits traitsOf(const Scene& scene) {
         if (const auto* displaced = std::get_if<DisplacedSphere>(&shape.geometry))
             traits.surfaces |= surfacesOf(*displaced);
     }
+    traits.only_displaced = onlyShape(scene, true);
+    traits.only_plain = onlyShape(scene, false);
     traits.paths = pathsOf(scene);
     return traits;
 }

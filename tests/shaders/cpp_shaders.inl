@@ -62,6 +62,7 @@ constexpr int kSurfaces = 1 << SURFACE_BILINEAR | 1 << SURFACE_SPLINE | 1 << SUR
 constexpr int kMarcher = MARCHER_EXACT;
 constexpr real kThreshold = real(3e-6), kStride = real(1);
 constexpr int kKinds = 1 << KIND_DISPLACED | 1 << KIND_SPHERE | 1 << KIND_DISK;
+constexpr int kOnlyDisplaced = -1, kOnlyPlain = -1;
 
 #include "shaders/hit.glsl"
 #include "shaders/naive.glsl"
