@@ -15,6 +15,7 @@ using uint = std::uint32_t;
 
 #define GROUP_SIZE_X 8  // the SIMD axis of lavapipe: a multiple of 8
 #define GROUP_SIZE_Y 8
+#define TURN_STEPS 12000  // of a search: an invocation that has taken more takes no further pixel
 #define PROBE_GROUP_SIZE 64
 
 #define BINDING_OBJECTS 0  // uniform buffers: lavapipe reads storage buffers lane by lane
@@ -60,7 +61,8 @@ using uint = std::uint32_t;
 #define SPEC_RETRY_STRIDE 21  // invocations from one retried pixel to the next: their rays have nothing in common
 #define SPEC_ONLY_DISPLACED 22 // the scene's only displaced sphere, by its index; -1: it has none or several
 #define SPEC_ONLY_PLAIN 23     // the same of all other objects
-#define SPEC_COUNT 24
+#define SPEC_TURNS 24          // pixels that an invocation takes, one after the other; WITH_PATHS alone
+#define SPEC_COUNT 25
 
 #define MARCHER_EXACT 0
 #define MARCHER_NAIVE 1        // the seed's: from the camera

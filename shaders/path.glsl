@@ -136,75 +136,110 @@ struct Gathered {
     bool doubtful;
 };
 
-Gathered gather(Segment segment, const Numbers numbers, const Rules rules) {
+// A path on its way.
+struct Path {
     Gathered result;
-    result.albedo = vec3(0.0);
-    result.colour = vec3(0.0);
-    result.lit = 0u;
-    result.doubtful = false;
-    vec3 throughput = vec3(1.0);
+    Segment segment;  // the ray to come
+    Numbers numbers;
     Departure departure;
-    departure.normal = vec3(0.0, 0.0, 1.0);
-    departure.density = 0.0;
-    departure.from_camera_hit = false;
-    int last = rules.centre ? 0 : kMaxDepth;
-    bool going = true;
-    bool softened = false;
-    for (int n = 0; n <= last && going; ++n) {
-        SurfacePoint point = nearestHit(segment);
-        result.doubtful = result.doubtful || point.doubtful;
-        if (n == 0) result.point = point;
-        going = !result.doubtful && kWantsLight;
-        if (going && sceneHasMetLights())
-            result.colour += throughput * emitted(point, segmentDirection(segment), departure);
-        going = going && point.hit;
-        if (!going) continue;
-        Vertex vertex = makeVertex(point, albedoOf(point), softened);
-        if (n == 0) result.albedo = vertex.colour;
-        if (n >= kMaxDepth && !rules.centre) continue;
+    vec3 throughput;
+    int vertices, steps;  // so far
+    bool going, softened;
+};
 
-        float draw = n == 0 ? 0.0 : numbersAt(numbers, n, kPairChoice).x;
-        bool all = n == 0 || kDiffusePaths == 0;
-        int asked = all ? kLightCount : min(kLightCount, 1);
-        for (int i = 0; i < asked; ++i) {
-            int k = all ? i : drawnLight(draw);
-            vec2 u = numbersAt(numbers, n, kPairLights + uint(k));
-            bool seen = false;
-            vec3 light = lightThrough(vertex, k, u, all ? 1.0 : lights[k].share, rules, seen, result.doubtful);
-            result.colour += throughput * light;
-            if (n == 0 && seen) result.lit |= 1u << k;
-        }
+Path startPath(const Segment segment, const Numbers numbers) {
+    Path path;
+    path.result.albedo = vec3(0.0);
+    path.result.colour = vec3(0.0);
+    path.result.lit = 0u;
+    path.result.doubtful = false;
+    path.segment = segment;
+    path.numbers = numbers;
+    path.departure.normal = vec3(0.0, 0.0, 1.0);
+    path.departure.density = 0.0;
+    path.departure.from_camera_hit = false;
+    path.throughput = vec3(1.0);
+    path.vertices = 0;
+    path.steps = 0;
+    path.going = true;
+    path.softened = false;
+    return path;
+}
 
-        vec2 lobe = numbersAt(numbers, n, kPairLobe);
-        vec3 local = sampleMaterial(vertex.material, vertex.view, numbersAt(numbers, n, kPairDirection), lobe.x);
-        segment.direction = outOfBasis(vertex.basis, local);
-        bool mirrored = isMaterial(vertex.material, MATERIAL_MIRROR);
-        if (mirrored) {
-            throughput *= vertex.material.specular.rgb;
-            departure.density = 0.0;
-            going = local.z > 0.0 && dot(point.normal, segment.direction) > 0.0;
-        } else {
-            Scattering scattering = scatterTowards(vertex, segment.direction);
-            throughput *= scattering.density > 0.0 ? scattering.value / scattering.density : vec3(0.0);
-            departure.density = scattering.density;
-            softened = true;
-            going = kDiffusePaths != 0 && max(throughput.x, max(throughput.y, throughput.z)) > 0.0;
-        }
-        if (n >= kRouletteFrom) {
-            float chance = min(max(throughput.x, max(throughput.y, throughput.z)), 0.95);
-            going = going && lobe.y < chance;
-            throughput /= max(chance, 1e-6);
-        }
-        going = going && !result.doubtful;
-        departure.normal = point.normal;
-        departure.from_camera_hit = n == 0;
-        segment.camera = false;
-        segment.clear = -kInfinity;
-        segment.object = point.object;
-        segment.level = point.level;
-        segment.start = point.start;
-        segment.from_first = point.from_first;
+// Light straight from the lights: all of them at the first vertex, one that is drawn at others.
+void gatherLights(inout Path path, const Vertex vertex, const Rules rules) {
+    const int n = path.vertices;
+    float draw = n == 0 ? 0.0 : numbersAt(path.numbers, n, kPairChoice).x;
+    bool all = n == 0 || kDiffusePaths == 0;
+    int asked = all ? kLightCount : min(kLightCount, 1);
+    for (int i = 0; i < asked; ++i) {
+        int k = all ? i : drawnLight(draw);
+        vec2 u = numbersAt(path.numbers, n, kPairLights + uint(k));
+        bool seen = false;
+        vec3 light = lightThrough(vertex, k, u, all ? 1.0 : lights[k].share, rules, seen, path.result.doubtful);
+        path.result.colour += path.throughput * light;
+        if (n == 0 && seen) path.result.lit |= 1u << k;
     }
+}
+
+// Turns the path to where the material reflects it, if anywhere.
+void reflectPath(inout Path path, const Vertex vertex) {
+    const int n = path.vertices;
+    vec2 lobe = numbersAt(path.numbers, n, kPairLobe);
+    vec3 local = sampleMaterial(vertex.material, vertex.view, numbersAt(path.numbers, n, kPairDirection), lobe.x);
+    path.segment.direction = outOfBasis(vertex.basis, local);
+    if (isMaterial(vertex.material, MATERIAL_MIRROR)) {
+        path.throughput *= vertex.material.specular.rgb;
+        path.departure.density = 0.0;
+        path.going = local.z > 0.0 && dot(vertex.point.normal, path.segment.direction) > 0.0;
+    } else {
+        Scattering scattering = scatterTowards(vertex, path.segment.direction);
+        path.throughput *= scattering.density > 0.0 ? scattering.value / scattering.density : vec3(0.0);
+        path.departure.density = scattering.density;
+        path.softened = true;
+        path.going = kDiffusePaths != 0 && max(path.throughput.x, max(path.throughput.y, path.throughput.z)) > 0.0;
+    }
+    if (n >= kRouletteFrom) {
+        float chance = min(max(path.throughput.x, max(path.throughput.y, path.throughput.z)), 0.95);
+        path.going = path.going && lobe.y < chance;
+        path.throughput /= max(chance, 1e-6);
+    }
+    path.departure.normal = vertex.point.normal;
+    path.departure.from_camera_hit = n == 0;
+    path.segment.camera = false;
+    path.segment.clear = -kInfinity;
+    path.segment.object = vertex.point.object;
+    path.segment.level = vertex.point.level;
+    path.segment.start = vertex.point.start;
+    path.segment.from_first = vertex.point.from_first;
+}
+
+// The next vertex of a path that is going. The planes of a centre need its first alone.
+void extendPath(inout Path path, const Rules rules) {
+    const int n = path.vertices;
+    SurfacePoint point = nearestHit(path.segment);
+    path.result.doubtful = path.result.doubtful || point.doubtful;
+    path.steps += point.steps;
+    if (n == 0) path.result.point = point;
+    path.going = !path.result.doubtful && kWantsLight;
+    if (path.going && sceneHasMetLights())
+        path.result.colour += path.throughput * emitted(point, segmentDirection(path.segment), path.departure);
+    path.going = path.going && point.hit;
+    if (path.going) {
+        Vertex vertex = makeVertex(point, albedoOf(point), path.softened);
+        if (n == 0) path.result.albedo = vertex.colour;
+        path.going = n < kMaxDepth || rules.centre;
+        if (path.going) {
+            gatherLights(path, vertex, rules);
+            reflectPath(path, vertex);
+            path.going = path.going && !path.result.doubtful && n < (rules.centre ? 0 : kMaxDepth);
+        }
+    }
+    path.vertices = n + 1;
+}
+
+Gathered resultOf(const Path path, const Rules rules) {
+    Gathered result = path.result;
     float greatest = max(result.colour.x, max(result.colour.y, result.colour.z));
     if (kClamp > 0.0 && !rules.centre && greatest > kClamp) result.colour *= kClamp / greatest;
     return result;

@@ -75,66 +75,53 @@ void putGeometry(const ivec2 pixel, const SurfacePoint point) {
 // Retried pixels of a workgroup.
 const uint kRetryGroup = uint(GROUP_SIZE_X * GROUP_SIZE_Y) / kRetryStride;
 
-// False for an invocation without a pixel.
-bool findPixel(out ivec2 pixel, out float clear) {
+// A pixel of the film that an invocation is to do, if it `exists`.
+struct Task {
+    ivec2 pixel;
+    float clear;  // RetryPixel::clear
+    bool exists;
+};
+
 #if MARCH_WITH == MARCH_FULL
+Task findTask() {
     uint group = gl_WorkGroupID.y * RETRY_ROW + gl_WorkGroupID.x;
     uint index = group * kRetryGroup + gl_LocalInvocationIndex / kRetryStride;
-    bool listed = gl_LocalInvocationIndex % kRetryStride == 0u && index < retry.count;
+    Task task;
+    task.exists = gl_LocalInvocationIndex % kRetryStride == 0u && index < retry.count;
     RetryPixel found;
     found.pixel = 0u;
     found.clear = 0.0;
-    if (listed) found = retry_pixels[index];
-    pixel = ivec2(found.pixel & 0xffffu, found.pixel >> 16);
-    clear = found.clear;
-    return listed;
+    if (task.exists) found = retry_pixels[index];
+    task.pixel = ivec2(found.pixel & 0xffffu, found.pixel >> 16);
+    task.clear = found.clear;
+    return task;
+}
 #else
-    // Eight lanes in a row are 4 x 2 pixels: their rays differ less than those of 8 x 1.
+// An invocation's n-th. A group's lie side by side, and eight lanes in a row have 4 x 2 pixels: their rays differ less
+// than those of 8 x 1.
+Task findTask(const int n) {
     ivec2 lane = ivec2(gl_LocalInvocationID.xy);
     ivec2 within = ivec2((lane.x & 3) | (lane.y & 1) << 2, (lane.y & 6) | lane.x >> 2);
-    ivec2 group = ivec2(gl_WorkGroupID.xy) * ivec2(GROUP_SIZE_X, GROUP_SIZE_Y);
-    pixel = ivec2(params.tile_x, params.tile_y) + group + within;
-    clear = -kInfinity;
-    return pixel.x < params.tile_x1 && pixel.y < params.tile_y1;
-#endif
-}
-
 #ifdef WITH_PATHS
-Gathered gatherSample(const ivec2 raster, const float clear, const int sample_index) {
-    Rules rules;
-    rules.centre = sample_index < 0;
-    rules.shadowed = kShadows != 0;
-    rules.weighed = !rules.centre && kDiffusePaths != 0;
-    Numbers numbers;
-    numbers.key = pixelKey(raster.x, raster.y, params.seed);
-    numbers.index = max(sample_index, 0);
-    vec2 jitter = rules.centre ? vec2(0.0) : filterPlace(numbersAt(numbers, 0, 0u));
-    return gather(cameraSegment(vec2(raster), jitter, clear), numbers, rules);
-}
+    ivec2 block = ivec2(int(gl_WorkGroupID.x) * kTurns + n, int(gl_WorkGroupID.y));
 #else
+    ivec2 block = ivec2(gl_WorkGroupID.xy);
+#endif
+    Task task;
+    task.pixel = ivec2(params.tile_x, params.tile_y) + block * ivec2(GROUP_SIZE_X, GROUP_SIZE_Y) + within;
+    task.clear = -kInfinity;
+    task.exists = task.pixel.x < params.tile_x1 && task.pixel.y < params.tile_y1;
+    return task;
+}
+#endif
+
+#ifndef WITH_PATHS
 struct Gathered {
     SurfacePoint point;
     vec3 albedo, colour;
     uint lit;
     bool doubtful;
 };
-
-Gathered gatherSample(const ivec2 raster, const float clear, const int sample_index) {
-    Gathered result;
-    vec2 jitter = vec2(0.0);
-    if (sample_index >= 0) jitter = samplePosition(raster.x, raster.y, sample_index, params.seed);
-    result.point = nearestHit(cameraSegment(vec2(raster), jitter, clear));
-    result.doubtful = result.point.doubtful;
-    result.albedo = vec3(0.0);
-    result.colour = vec3(0.0);
-    result.lit = 0u;
-    if (kWantsLight && result.point.hit && !result.doubtful) {
-        result.albedo = albedoOf(result.point);
-        result.lit = kShadows == 0 ? ~0u : visibleLights(result.point, result.doubtful);
-        result.colour = directLight(result.point, result.albedo, result.lit);
-    }
-    return result;
-}
 #endif
 
 void leaveForRetry(const ivec2 pixel, const float clear) {
@@ -150,23 +137,120 @@ void leaveForRetry(const ivec2 pixel, const float clear) {
 }
 
 // Film planes of a pixel whose ray, or another that it needs, is in doubt are left to the other precision.
-void shade(const ivec2 pixel, const float clear) {
-    // Chosen by pixel, although it is the same for all: see onlyObject().
-    int sample_index = pixel.x >= 0 ? params.sample_index : 0;
-    Gathered gathered = gatherSample(pixel + ivec2(params.film_x, params.film_y), clear, sample_index);
+void finish(const Task task, const Gathered gathered, const int sample_index) {
     if (gathered.doubtful) {
-        leaveForRetry(pixel, gathered.point.clear);
+        leaveForRetry(task.pixel, gathered.point.clear);
         return;
     }
-    putGeometry(pixel, gathered.point);
-    put(pixel, PLANE_ALBEDO_R, gathered.albedo);
-    put(pixel, PLANE_LIT, gathered.lit);
+    putGeometry(task.pixel, gathered.point);
+    put(task.pixel, PLANE_ALBEDO_R, gathered.albedo);
+    put(task.pixel, PLANE_LIT, gathered.lit);
     if ((kPlanes & kColourPlanes) != 0u)
-        put(pixel, PLANE_R, sample_index > 0 ? storedColour(pixel) + gathered.colour : gathered.colour);
+        put(task.pixel, PLANE_R, sample_index > 0 ? storedColour(task.pixel) + gathered.colour : gathered.colour);
 }
 
+// Chosen by pixel, although it is the same for all: see onlyObject().
+int sampleOf(const Task task) {
+    return task.pixel.x >= 0 ? params.sample_index : 0;
+}
+
+ivec2 rasterOf(const Task task) {
+    return task.pixel + ivec2(params.film_x, params.film_y);
+}
+
+#ifdef WITH_PATHS
+Rules rulesOf(const int sample_index) {
+    Rules rules;
+    rules.centre = sample_index < 0;
+    rules.shadowed = kShadows != 0;
+    rules.weighed = !rules.centre && kDiffusePaths != 0;
+    return rules;
+}
+
+Path pathOf(const Task task, const int sample_index) {
+    ivec2 raster = rasterOf(task);
+    Numbers numbers;
+    numbers.key = pixelKey(raster.x, raster.y, params.seed);
+    numbers.index = max(sample_index, 0);
+    vec2 jitter = sample_index < 0 ? vec2(0.0) : filterPlace(numbersAt(numbers, 0, 0u));
+    return startPath(cameraSegment(vec2(raster), jitter, task.clear), numbers);
+}
+
+#if MARCH_WITH == MARCH_FULL
+void work() {
+    Task task = findTask();
+    if (!task.exists) return;
+    const int sample_index = sampleOf(task);
+    Rules rules = rulesOf(sample_index);
+    Path path = pathOf(task, sample_index);
+    for (int n = 0; n <= kMaxDepth && path.going; ++n) extendPath(path, rules);
+    finish(task, resultOf(path, rules), sample_index);
+}
+#else
+// All invocations of a SIMD group pay for the longest of their paths. So each takes its next pixel as soon as a path
+// ends, and they come out even. What an invocation that has had long searches has not begun goes to the retry, or the
+// device's limit of back-edges could be met.
+void work() {
+    Task task = findTask(0);
+    const int sample_index = sampleOf(task);
+    Rules rules = rulesOf(sample_index);
+    Path path = pathOf(task, sample_index);
+    path.going = task.exists;
+    int turn = 0;
+    int steps = 0;
+    bool working = true;
+    for (int n = 0; n < kTurns * (kMaxDepth + 1) && working; ++n) {
+        if (path.going) {
+            extendPath(path, rules);
+            if (!path.going) {
+                steps += path.steps;
+                finish(task, resultOf(path, rules), sample_index);
+            }
+        }
+        if (!path.going) {
+            ++turn;
+            working = turn < kTurns;
+            task = findTask(turn);
+            path = pathOf(task, sample_index);
+            path.going = working && task.exists;
+            if (path.going && steps > TURN_STEPS) {
+                leaveForRetry(task.pixel, task.clear);
+                path.going = false;
+            }
+        }
+    }
+}
+#endif
+#else
+Gathered gatherSample(const Task task, const int sample_index) {
+    ivec2 raster = rasterOf(task);
+    Gathered result;
+    vec2 jitter = vec2(0.0);
+    if (sample_index >= 0) jitter = samplePosition(raster.x, raster.y, sample_index, params.seed);
+    result.point = nearestHit(cameraSegment(vec2(raster), jitter, task.clear));
+    result.doubtful = result.point.doubtful;
+    result.albedo = vec3(0.0);
+    result.colour = vec3(0.0);
+    result.lit = 0u;
+    if (kWantsLight && result.point.hit && !result.doubtful) {
+        result.albedo = albedoOf(result.point);
+        result.lit = kShadows == 0 ? ~0u : visibleLights(result.point, result.doubtful);
+        result.colour = directLight(result.point, result.albedo, result.lit);
+    }
+    return result;
+}
+
+void work() {
+#if MARCH_WITH == MARCH_FULL
+    Task task = findTask();
+#else
+    Task task = findTask(0);
+#endif
+    const int sample_index = sampleOf(task);
+    if (task.exists) finish(task, gatherSample(task, sample_index), sample_index);
+}
+#endif
+
 void main() {
-    ivec2 pixel;
-    float clear;
-    if (findPixel(pixel, clear)) shade(pixel, clear);
+    work();
 }

@@ -19,6 +19,7 @@ layout(constant_id = SPEC_LIGHT_KINDS) const int kLightKinds = 1;
 layout(constant_id = SPEC_SURFACES) const int kSurfaces = 1;
 #endif
 #ifdef WITH_PATHS
+layout(constant_id = SPEC_TURNS) const int kTurns = 1;
 layout(constant_id = SPEC_MATERIALS) const int kMaterials = 1;
 layout(constant_id = SPEC_CHECKERBOARDS) const int kCheckerboards = 0;
 layout(constant_id = SPEC_MAX_DEPTH) const int kMaxDepth = 5;

@@ -11,6 +11,15 @@
 
 namespace dsphere {
 
+namespace {
+
+/// Few invocations share their instructions, and few groups run at once; else there are invocations to spare.
+bool isNarrow(const gpu::Device& device) {
+    return device.info().type == "CPU";
+}
+
+}  // namespace
+
 // For the steepest of the scene's maps; rounded down.
 float safeStride(const PackedScene& packed, const MarchMethod& method) {
     if (method.marcher != Marcher::Lipschitz) return 1.0f;
@@ -21,6 +30,13 @@ float safeStride(const PackedScene& packed, const MarchMethod& method) {
     for (const PackedRelief& relief : packed.reliefs)
         bound = std::max(bound, gradientBound(*packed.nodes[std::size_t(relief.map)], relief.base, relief.scale));
     return std::nextafter(float(1.0 / bound), 0.0f);
+}
+
+// Baselines have no second pipeline to leave pixels to. Fewer where each pixel asks many lights: all loops of an invocation
+// share one limit.
+int turnsOf(const gpu::Device& device, const SceneTraits& traits, const MarchMethod& method) {
+    if (!traits.needsPaths() || method.marcher != Marcher::Exact || !isNarrow(device)) return 1;
+    return std::clamp(24 / (1 + int(traits.lights)), 1, 8);
 }
 
 gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& traits, float stride,
@@ -39,6 +55,7 @@ gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& t
     specialization[SPEC_KINDS] = traits.kinds;
     specialization[SPEC_ONLY_DISPLACED] = std::uint32_t(traits.only_displaced);
     specialization[SPEC_ONLY_PLAIN] = std::uint32_t(traits.only_plain);
+    specialization[SPEC_TURNS] = std::uint32_t(turnsOf(device, traits, method));
     specialization[SPEC_PLANES] = planes;
     specialization[SPEC_IMAGES] = traits.images ? 1 : 0;
     specialization[SPEC_SURFACES] = traits.surfaces;
@@ -46,8 +63,8 @@ gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& t
     specialization[SPEC_STRIDE] = std::bit_cast<std::uint32_t>(stride);
     specialization[SPEC_DETAIL] = std::bit_cast<std::uint32_t>(method.detail);
     specialization[SPEC_SHADOWS] = method.shadows ? 1 : 0;
-    // Wide devices have invocations to spare, and one ray that takes long holds all up that share its instructions.
-    specialization[SPEC_RETRY_STRIDE] = device.info().type == "CPU" ? 1 : 32;
+    // One ray that takes long holds all up that share its instructions.
+    specialization[SPEC_RETRY_STRIDE] = isNarrow(device) ? 1 : 32;
     const SceneTraits::Paths& paths = traits.paths;
     specialization[SPEC_MATERIALS] = paths.materials;
     specialization[SPEC_LIGHT_KINDS] = paths.light_kinds;

@@ -62,6 +62,7 @@ PassPipelines::PassPipelines(gpu::Device& device, const SceneTraits& traits, flo
     const auto make = [&](const Variants& variants) {
         return makeMarchPipeline(device, traits, stride, variants.of(traits), Shader::Render, method, mask);
     };
+    columns_ = GROUP_SIZE_X * turnsOf(device, traits, method);
     const bool exact = method.marcher == Marcher::Exact;
     std::future<gpu::ComputePipeline> full;
     if (exact && (traits.kinds & 1u << KIND_DISPLACED)) full = std::async(std::launch::async, make, std::cref(kFull));
@@ -103,7 +104,7 @@ double Pass::run(std::span<const layout::RenderParams> tiles) {
     batch_.bind(pipelines_.first(), set_);
     for (const layout::RenderParams& tile : tiles) {
         batch_.push(tile);
-        batch_.dispatch(groups(tile.tile_x1 - tile.tile_x, GROUP_SIZE_X),
+        batch_.dispatch(groups(tile.tile_x1 - tile.tile_x, pipelines_.columns()),
                         groups(tile.tile_y1 - tile.tile_y, GROUP_SIZE_Y), 1);
     }
     if (pipelines_.full()) {

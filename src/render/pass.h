@@ -21,6 +21,8 @@ class PassPipelines {
 
     const gpu::ComputePipeline& first() const { return *first_; }
     const std::optional<gpu::ComputePipeline>& full() const { return full_; }
+    /// Of pixels, that a workgroup of first() fills; GROUP_SIZE_Y rows.
+    int columns() const { return columns_; }
 
     /// What a pixel of the last sample took, of whatever picture: the first round of the next is sized by it. 0:
     /// unknown.
@@ -28,6 +30,7 @@ class PassPipelines {
 
   private:
     std::optional<gpu::ComputePipeline> first_, full_;
+    int columns_ = GROUP_SIZE_X;
 };
 
 /// Makes those of an exact marcher, all at once, for the device to find when they are asked for: on a thread of the
