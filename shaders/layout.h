@@ -15,7 +15,7 @@ using uint = std::uint32_t;
 
 #define GROUP_SIZE_X 8  // the SIMD axis of lavapipe: a multiple of 8
 #define GROUP_SIZE_Y 8
-#define TURN_STEPS 12000  // of a search: an invocation that has taken more takes no further pixel
+#define TURN_STEPS 12000  // an invocation whose searches took more steps takes no further pixel of its turns
 #define PROBE_GROUP_SIZE 64
 
 #define BINDING_OBJECTS 0  // uniform buffers: lavapipe reads storage buffers lane by lane

@@ -177,7 +177,7 @@ Path pathOf(const Task task, const int sample_index) {
 }
 
 #if MARCH_WITH == MARCH_FULL
-void work() {
+void main() {
     Task task = findTask();
     if (!task.exists) return;
     const int sample_index = sampleOf(task);
@@ -190,7 +190,7 @@ void work() {
 // All invocations of a SIMD group pay for the longest of their paths. So each takes its next pixel as soon as a path
 // ends, and they come out even. What an invocation that has had long searches has not begun goes to the retry, or the
 // device's limit of back-edges could be met.
-void work() {
+void main() {
     Task task = findTask(0);
     const int sample_index = sampleOf(task);
     Rules rules = rulesOf(sample_index);
@@ -240,7 +240,7 @@ Gathered gatherSample(const Task task, const int sample_index) {
     return result;
 }
 
-void work() {
+void main() {
 #if MARCH_WITH == MARCH_FULL
     Task task = findTask();
 #else
@@ -250,7 +250,3 @@ void work() {
     if (task.exists) finish(task, gatherSample(task, sample_index), sample_index);
 }
 #endif
-
-void main() {
-    work();
-}
