@@ -1,16 +1,16 @@
 // Direct light on Lambertian surfaces from distant and point lights. Expects shade.glsl.
 
-// Whether the light is seen from P'. `doubtful` is set where another precision must decide.
-bool isLit(const SurfacePoint point, const LightData light, inout bool doubtful) {
+// Whether the light is seen from P'.
+bool isLit(const SurfacePoint point, const LightData light, inout Searches searches) {
     bool ends = isLight(light, LIGHT_POINT);
     vec3 towards = ends ? light.position.xyz - point.from_first : light.position.xyz;
-    return dot(towards, point.normal) > 0.0 && !isShaded(point, light.position.xyz, ends, -1, doubtful);
+    return dot(towards, point.normal) > 0.0 && !isShaded(point, light.position.xyz, ends, -1, searches);
 }
 
-uint visibleLights(const SurfacePoint point, inout bool doubtful) {
-    if (kLightCount == 1) return isLit(point, lights[0], doubtful) ? 1u : 0u;
+uint visibleLights(const SurfacePoint point, inout Searches searches) {
+    if (kLightCount == 1) return isLit(point, lights[0], searches) ? 1u : 0u;
     uint mask = 0u;
-    for (int k = 0; k < kLightCount; ++k) mask |= isLit(point, lights[k], doubtful) ? 1u << k : 0u;
+    for (int k = 0; k < kLightCount; ++k) mask |= isLit(point, lights[k], searches) ? 1u << k : 0u;
     return mask;
 }
 

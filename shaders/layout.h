@@ -15,7 +15,6 @@ using uint = std::uint32_t;
 
 #define GROUP_SIZE_X 8  // the SIMD axis of lavapipe: a multiple of 8
 #define GROUP_SIZE_Y 8
-#define TURN_STEPS 12000  // an invocation whose searches took more steps takes no further pixel of its turns
 #define PROBE_GROUP_SIZE 64
 
 #define BINDING_OBJECTS 0  // uniform buffers: lavapipe reads storage buffers lane by lane
@@ -139,11 +138,13 @@ using uint = std::uint32_t;
 #define PLANE_FLAGS 28  // bit 0: inside, bit 1: the step limit ended the march (never, if all is well)
 #define PLANE_COUNT 29
 
-// Loops of one invocation share 65,535 back-edges on lavapipe, all rays of a pixel together, and end silently there. A
-// march takes some 25 on average; the longest, across a pole of a map 16,384 wide, passes 8,192 cells of 4 fetches
-// each.
+// Loops of one invocation share 65,535 back-edges on lavapipe, all rays of its pixels together, and end silently there; its
+// whole SIMD group shares them, and pays the sum where its lanes are not long at once. A march takes some 25 on average;
+// the longest, across a pole of a map 16,384 wide, passes 8,192 cells of 4 fetches each.
 #define MAX_STEPS 48000
 #define MAX_MARCHES 640  // shapes times (lights + 1)
+#define TURN_STEPS 12000  // an invocation whose searches took more takes no further pixel; a back-edge through a cell is 4 steps
+#define TURN_LOOPS 16384  // back-edges of an invocation's turns outside of marches: through objects, triangles, vertices
 
 #define MAX_OBJECTS 64
 #define MAX_LIGHTS 32

@@ -225,22 +225,29 @@ ObjectHit hitObject(const ObjectData object, const MapData map, const Ray ray, c
     return hit;
 }
 
-bool displacedBlocks(const ObjectData object, const MapData map, const Ray ray, INOUT(bool) doubtful) {
+// What searches for shadows came to: whether another precision must decide, and their steps.
+struct Searches {
+    bool doubtful;
+    int steps;
+};
+
+bool displacedBlocks(const ObjectData object, const MapData map, const Ray ray, INOUT(Searches) searches) {
 #if MARCH_WITH == MARCH_BASELINE
     return hitBaseline(object, map, ray).hit;
 #elif MARCH_WITH == MARCH_FULL
     return march(ray, map, basePair(object), real(object.scale), real(object.shell_squared)).hit;
 #else
     Filtered answer = filterMarch(ray, map, real(object.base), real(object.scale), real(object.shell_squared));
-    doubtful = doubtful || answer.doubtful;
+    searches.doubtful = searches.doubtful || answer.doubtful;
+    searches.steps += answer.steps;
     return answer.hit;
 #endif
 }
 
-// Any hit: no root is refined, no normal found. `doubtful` is set where another precision must decide.
-bool blocks(const ObjectData object, const MapData map, const Ray ray, const int kinds, INOUT(bool) doubtful) {
+// Any hit: no root is refined, no normal found.
+bool blocks(const ObjectData object, const MapData map, const Ray ray, const int kinds, INOUT(Searches) searches) {
     bool blocked = false;
-    if (isKindMeant(object, KIND_DISPLACED, kinds)) blocked = displacedBlocks(object, map, ray, doubtful);
+    if (isKindMeant(object, KIND_DISPLACED, kinds)) blocked = displacedBlocks(object, map, ray, searches);
     if ((kinds & kPlain) == 0) return blocked;
     if (isKindMeant(object, KIND_SPHERE, kinds)) blocked = hitUnitSphere(ray).hit;
     if (isKindMeant(object, KIND_DISK, kinds)) blocked = hitRing(object, ray).hit;

@@ -64,8 +64,8 @@ Scattering scatterTowards(const Vertex vertex, const vec3 direction) {
 }
 
 // Whether anything but the light itself stands between P' and the sample.
-bool isVisible(const SurfacePoint point, const LightData light, const LightSample light_sample, inout bool doubtful) {
-    return !isShaded(point, light_sample.place, light_sample.ends, light.object, doubtful);
+bool isVisible(const SurfacePoint point, const LightData light, const LightSample light_sample, inout Searches searches) {
+    return !isShaded(point, light_sample.place, light_sample.ends, light.object, searches);
 }
 
 float powerWeight(const float own, const float other) {
@@ -81,7 +81,7 @@ struct Rules {
 
 // Light k's share of what leaves the vertex, and whether its sample is `seen`. `chance`: of this light's being asked.
 vec3 lightThrough(const Vertex vertex, const int k, const vec2 u, const float chance, const Rules rules, out bool seen,
-                  inout bool doubtful) {
+                  inout Searches searches) {
     LightData light = lights[k];
     SurfacePoint point = vertex.point;
     LightSample light_sample = sampleLight(light, point.from_first, point.normal, u);
@@ -92,7 +92,7 @@ vec3 lightThrough(const Vertex vertex, const int k, const vec2 u, const float ch
     if (rules.weighed && light_sample.density > 0.0) result *= powerWeight(light_sample.density * chance, scattering.density);
     seen = dot(point.normal, direction) > 0.0 && light.object != point.object;
     if (seen && rules.shadowed && (rules.centre || max(result.x, max(result.y, result.z)) > 0.0))
-        seen = isVisible(point, light, light_sample, doubtful);
+        seen = isVisible(point, light, light_sample, searches);
     return seen ? result : vec3(0.0);
 }
 
@@ -143,7 +143,7 @@ struct Path {
     Numbers numbers;
     Departure departure;
     vec3 throughput;
-    int vertices, steps;  // so far
+    int vertices, steps;  // so far; steps: of its searches
     bool going, softened;
 };
 
@@ -172,14 +172,19 @@ void gatherLights(inout Path path, const Vertex vertex, const Rules rules) {
     float draw = n == 0 ? 0.0 : numbersAt(path.numbers, n, kPairChoice).x;
     bool all = n == 0 || kDiffusePaths == 0;
     int asked = all ? kLightCount : min(kLightCount, 1);
+    Searches searches;
+    searches.doubtful = path.result.doubtful;
+    searches.steps = path.steps;
     for (int i = 0; i < asked; ++i) {
         int k = all ? i : drawnLight(draw);
         vec2 u = numbersAt(path.numbers, n, kPairLights + uint(k));
         bool seen = false;
-        vec3 light = lightThrough(vertex, k, u, all ? 1.0 : lights[k].share, rules, seen, path.result.doubtful);
+        vec3 light = lightThrough(vertex, k, u, all ? 1.0 : lights[k].share, rules, seen, searches);
         path.result.colour += path.throughput * light;
         if (n == 0 && seen) path.result.lit |= 1u << k;
     }
+    path.result.doubtful = searches.doubtful;
+    path.steps = searches.steps;
 }
 
 // Turns the path to where the material reflects it, if anywhere.

@@ -1,5 +1,5 @@
 #version 450
-// One pixel of one tile, or of the list of pixels to retry: its ray, the nearest hit, the film's planes.
+// Pixels of one tile, or of the list of pixels to retry: their rays, the nearest hits, the film's planes.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 
@@ -188,8 +188,8 @@ void main() {
 }
 #else
 // All invocations of a SIMD group pay for the longest of their paths. So each takes its next pixel as soon as a path
-// ends, and they come out even. What an invocation that has had long searches has not begun goes to the retry, or the
-// device's limit of back-edges could be met.
+// ends, and they come out even. What an invocation that has had long searches has not begun goes to the retry: the group's
+// loops together have a limit of turns, see layout.h.
 void main() {
     Task task = findTask(0);
     const int sample_index = sampleOf(task);
@@ -234,7 +234,11 @@ Gathered gatherSample(const Task task, const int sample_index) {
     result.lit = 0u;
     if (kWantsLight && result.point.hit && !result.doubtful) {
         result.albedo = albedoOf(result.point);
-        result.lit = kShadows == 0 ? ~0u : visibleLights(result.point, result.doubtful);
+        Searches searches;
+        searches.doubtful = false;
+        searches.steps = 0;
+        result.lit = kShadows == 0 ? ~0u : visibleLights(result.point, searches);
+        result.doubtful = searches.doubtful;
         result.colour = directLight(result.point, result.albedo, result.lit);
     }
     return result;

@@ -306,27 +306,27 @@ vec3 albedoOf(const SurfacePoint point) {
 // Whether object k is between P' and a light: at `place`, seen from object 0's centre, if the ray `ends` there; in the
 // direction `place` if it goes on for ever.
 bool shades(const int k, const SurfacePoint point, const vec3 place, const bool ends, const int kinds,
-            inout bool doubtful) {
+            inout Searches searches) {
     ObjectData object = objects[onlyObject(k, kinds)];
     vec3 start = startFor(k, object, point.object, point.start);
     vec3 offset = ends ? objectFromWorldVector(object, place - object.from_first.xyz) - start
                        : objectFromWorldVector(object, place);
     // P' stands on the level that the camera's ray met; other objects throw the shadows of their maps.
     MapData map = maps[(k == point.object ? point.level : 0) * MAX_OBJECTS + onlyObject(k, kinds)];
-    return blocks(object, map, secondaryRay(start, offset, ends), kinds, doubtful);
+    return blocks(object, map, secondaryRay(start, offset, ends), kinds, searches);
 }
 
 // Whether any object is, but `except`: -1, or a plain one that shines itself.
-bool isShaded(const SurfacePoint point, const vec3 place, const bool ends, const int except, inout bool doubtful) {
-    if (kObjectCount == 1) return shades(0, point, place, ends, ~0, doubtful) && except != 0;
+bool isShaded(const SurfacePoint point, const vec3 place, const bool ends, const int except, inout Searches searches) {
+    if (kObjectCount == 1) return shades(0, point, place, ends, ~0, searches) && except != 0;
     bool shaded = false;
     if (kOnlyPlain >= 0)
-        shaded = shades(kOnlyPlain, point, place, ends, kPlain, doubtful) && except != kOnlyPlain;
+        shaded = shades(kOnlyPlain, point, place, ends, kPlain, searches) && except != kOnlyPlain;
     else if ((kKinds & kPlain) != 0)
         [[dont_unroll]] for (int k = 0; k < kObjectCount && !shaded; ++k)
-            if (k != except) shaded = shades(k, point, place, ends, kPlain, doubtful);
+            if (k != except) shaded = shades(k, point, place, ends, kPlain, searches);
     Candidates candidates = displacedNear(point.from_first, normalize(ends ? place - point.from_first : place));
-    while (!shaded && isLeft(candidates)) shaded = shades(takeFirst(candidates), point, place, ends, kDisplaced, doubtful);
+    while (!shaded && isLeft(candidates)) shaded = shades(takeFirst(candidates), point, place, ends, kDisplaced, searches);
     return shaded;
 }
 

@@ -8,12 +8,13 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <thread>
 
 namespace dsphere {
 
 namespace {
 
-/// Few invocations share their instructions, and few groups run at once; else there are invocations to spare.
+/// Few invocations share their instructions; else there are invocations to spare.
 bool isNarrow(const gpu::Device& device) {
     return device.info().type == "CPU";
 }
@@ -32,11 +33,15 @@ float safeStride(const PackedScene& packed, const MarchMethod& method) {
     return std::nextafter(float(1.0 / bound), 0.0f);
 }
 
-// Baselines have no second pipeline to leave pixels to. Fewer where each pixel asks many lights: all loops of an invocation
-// share one limit.
+// Baselines have no second pipeline to leave pixels to. Fewer turns where a pixel's loops are long before any march, and
+// where cores are many: each has to find groups to run.
 int turnsOf(const gpu::Device& device, const SceneTraits& traits, const MarchMethod& method) {
     if (!traits.needsPaths() || method.marcher != Marcher::Exact || !isNarrow(device)) return 1;
-    return std::clamp(24 / (1 + int(traits.lights)), 1, 8);
+    const std::uint64_t vertices = traits.paths.max_depth + 1;
+    const std::uint64_t lights = traits.paths.diffuse_paths ? traits.lights + vertices : traits.lights * vertices;
+    const std::uint64_t loops = (vertices + lights) * (2 * traits.objects + traits.triangles + 1);
+    const std::uint64_t cores = std::max(1u, std::thread::hardware_concurrency());
+    return int(std::clamp<std::uint64_t>(std::min(TURN_LOOPS / loops, 32 / cores), 1, 8));
 }
 
 gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& traits, float stride,

@@ -50,6 +50,8 @@ class Pass {
     double run(std::span<const layout::RenderParams> tiles);
     /// Pixels that were done again, so far.
     std::uint64_t retried() const { return retried_; }
+    /// PassPipelines::columns().
+    int columns() const { return pipelines_.columns(); }
     /// PassPipelines::pixel_seconds.
     double& pixelSeconds() { return pipelines_.pixel_seconds; }
 

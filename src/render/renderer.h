@@ -19,7 +19,7 @@ struct RenderStats {
     double device_seconds = 0.0;  ///< of all dispatches, pipelines warm
     double wall_seconds = 0.0;    ///< of the same on the host's clock, submissions and waits included
     std::uint64_t camera_rays = 0;
-    std::uint64_t retried_pixels = 0;  ///< samples of pixels that single floats could not decide
+    std::uint64_t retried_pixels = 0;  ///< samples of pixels that single floats could not decide, or were spared
 };
 
 /// Called with the share of the work that is done, 0 to 1; false stops the render.

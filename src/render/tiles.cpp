@@ -30,7 +30,8 @@ std::vector<Box> makeTiles(const std::vector<Span>& spans, int x0, int x1) {
 }
 
 // As many tiles a round as fit the time target, at the rate of the last round, and the pass. The last tiles may have
-// been cheap: so at most twice as many as last time, unless that took much less than the target.
+// been cheap: so at most twice as many as last time, unless that took much less than the target. Where one tile is too
+// much, a part of it, by whole workgroups: pixels keep their places in those.
 double TileRun::step(Pass& pass, int sample, std::uint32_t seed, double target) {
     std::vector<layout::RenderParams> round;
     double most = pass.pixelSeconds() > 0.0 ? target / pass.pixelSeconds() : 1.0;
@@ -40,12 +41,20 @@ double TileRun::step(Pass& pass, int sample, std::uint32_t seed, double target) 
     }
     std::uint64_t pixels = 0;
     while (!done()) {
-        const Box& box = tiles_[next_];
-        const std::uint64_t more = std::uint64_t(box.width()) * std::uint64_t(box.height());
+        Box box = tiles_[next_];
+        box.x0 += columns_done_;
+        std::uint64_t more = std::uint64_t(box.width()) * std::uint64_t(box.height());
         if (!round.empty() && (double(pixels) + 0.5 * double(more) > most || pixels + more > Pass::kMostPixels)) break;
+        if (pass.pixelSeconds() > 0.0 && double(more) > 2.0 * most) {
+            const int fitting = int(most / double(box.height())) / pass.columns() * pass.columns();
+            box.x1 = std::min(box.x1, box.x0 + std::max(fitting, pass.columns()));
+            more = std::uint64_t(box.width()) * std::uint64_t(box.height());
+        }
         round.push_back({box.x0, box.y0, box.x1, box.y1, film_x_, film_y_, sample, seed});
         pixels += more;
-        ++next_;
+        const bool whole = box.x1 == tiles_[next_].x1;
+        columns_done_ = whole ? 0 : box.x1 - tiles_[next_].x0;
+        if (whole) ++next_;
     }
     last_pixels_ = pixels;
     last_seconds_ = pass.run(round);

@@ -23,14 +23,15 @@ class TileRun {
     /// Back to the first tile, for the next sample.
     void rewind() { *this = TileRun(std::move(tiles_), film_x_, film_y_); }
 
-    /// Submits the next tiles, as many as take about `target` seconds by Pass::pixelSeconds(), and waits; returns the
-    /// device's seconds. While those are unknown, one tile.
+    /// Submits the next tiles, or a part of one, as much as takes about `target` seconds by Pass::pixelSeconds(), and
+    /// waits; returns the device's seconds. While those are unknown, one tile.
     double step(Pass& pass, int sample, std::uint32_t seed, double target);
 
   private:
     std::vector<Box> tiles_;
     int film_x_ = 0, film_y_ = 0;
     std::size_t next_ = 0;
+    int columns_done_ = 0;                        ///< of the next tile
     std::uint64_t last_pixels_ = 0, pixels_ = 0;  ///< of the last round, and of all since rewind()
     double last_seconds_ = 0.0, seconds_ = 0.0;
 };

@@ -82,6 +82,8 @@ SceneTraits traitsOf(const Scene& scene) {
     for (const Shape& shape : scene.shapes) {
         traits.images = traits.images || textureAs<ImageMap>(shape.material) != nullptr;
         traits.kinds |= bit(geometryKind(shape.geometry));
+        if (const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry))
+            traits.triangles += std::uint32_t(mesh->triangles.size());
         if (const auto* displaced = std::get_if<DisplacedSphere>(&shape.geometry))
             traits.surfaces |= surfacesOf(*displaced);
     }

@@ -94,7 +94,8 @@ void App::startPicture(bool draft) {
     published_ = false;
     draft_began_ = window_.now();
     draft_seconds_ = 0.0;
-    view_input_ = input_since_;
+    if (view_input_ < 0.0) view_input_ = input_since_;
+    input_since_ = -1.0;
 }
 
 // True if there is something new to show.
@@ -185,10 +186,11 @@ void App::listen(double wait) {
     heard_.insert(heard_.end(), events.begin(), events.end());
 }
 
-// Whether what was heard asks for another picture: a mouse that moves over a still one does not.
+// Whether what was heard may ask for another picture: a mouse that only moves does not.
 bool App::called() const {
+    const bool held = drag_ != Drag::None || ImGui::IsAnyItemActive();
     return std::ranges::any_of(heard_, [&](const Event& event) {
-        return event.kind == Event::Move ? drag_ != Drag::None : event.kind != Event::KeyUp;
+        return event.kind == Event::Move ? held : event.kind != Event::KeyUp;
     });
 }
 
@@ -225,12 +227,11 @@ void App::run() {
 }
 
 void App::note(bool shown) {
-    // Answered once a picture begun after the input is on the screen.
+    // Answered once a picture begun after the input is on the screen, or where it asks for none, the next frame.
     double latency = -1.0;
-    if (shown && input_since_ >= 0.0 && (!stage_ || (published_ && view_input_ >= 0.0) || schedule_.current())) {
-        latency = window_.now() - input_since_;
-        input_since_ = view_input_ = -1.0;
-    }
+    const bool settled = !stage_ || (published_ && schedule_.current());
+    double& answered = view_input_ >= 0.0 ? view_input_ : input_since_;
+    if (shown && answered >= 0.0 && settled) latency = window_.now() - std::exchange(answered, -1.0);
     if (!journal_.on()) return;
     const dvec2 at = share(window_.cursor());
     const Figures& figures = ui_.figures;

@@ -118,9 +118,9 @@ class App {
     double draft_began_ = 0.0, draft_seconds_ = 0.0, draw_seconds_ = 0.0, frame_seconds_ = 0.0;
     std::vector<Event> heard_;   ///< events that wait for the loop's next turn
     double heard_since_ = -1.0;  ///< when the first of them came, at the earliest; -1: none waits
-    double input_since_ = -1.0;  ///< the same of events that the window does not show the answer to yet
+    double input_since_ = -1.0;  ///< the same of events that neither a picture nor a frame has answered yet
     double last_draw_ = -1.0, last_loop_ = 0.0, last_poll_ = 0.0, message_until_ = 0.0, scale_ = 0.0;
-    double view_input_ = -1.0;  ///< of the input that the draft under way answers
+    double view_input_ = -1.0;  ///< the same of those that the picture begun last answers, until it is shown
     int frames_due_ = 3;
 };
 

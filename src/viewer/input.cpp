@@ -37,7 +37,8 @@ std::optional<dvec3> App::pointUnder(const dvec2& cursor) {
 // Whether the cursor is over a panel. ImGui knows of the place that it last laid a frame out with.
 bool App::onPanel() {
     const ImVec2 known = ImGui::GetIO().MousePos;
-    if (known.x != float(window_.cursor().x) || known.y != float(window_.cursor().y)) {
+    const bool moved = known.x != float(window_.cursor().x) || known.y != float(window_.cursor().y);
+    if (moved && window_.visible()) {
         layOutFrame();
         applyUi();
     }

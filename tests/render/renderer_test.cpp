@@ -39,6 +39,62 @@ TEST_F(RendererTest, CropsArePartsOfTheWhole) {
     }
 }
 
+// In a crop of eight columns an invocation has one pixel, in the whole picture up to eight: paths are the same. Live pictures
+// in the smallest slices are cut into parts of tiles.
+TEST_F(RendererTest, PathsDoNotDependOnTurns) {
+    const std::string objects =
+        "Material \"matte\" \"rgb Kd\" [.9 .9 .9] \"float sigma\" 20\n" + planet() +
+        "Material \"conductor\"\nTranslate 1.1 0 .4\nShape \"sphere\" \"float radius\" .4\n";
+    World whole = world(objects);
+    whole.scene.film.width = 131;
+    ASSERT_TRUE(whole.packed.traits.needsPaths());
+    packCamera(whole.packed, whole.scene);
+    Renderer renderer(device_, whole.packed, whole.scene, Marcher::Exact);
+    const Image picture = renderer.renderColour(3, 5, {});
+    for (int first : {0, 40, 96, 128}) {
+        World part = world(objects);
+        part.scene.film.width = 131;
+        part.scene.film.crop = {first / 131.0, std::min(first + 8, 131) / 131.0, 0.0, 1.0};
+        packCamera(part.packed, part.scene);
+        const Image cut = Renderer(device_, part.packed, part.scene, Marcher::Exact).renderColour(3, 5, {});
+        ASSERT_LE(cut.data.width(), 8);
+        for (std::size_t c = 0; c < 3; ++c)
+            for (int y = cut.data.y0; y < cut.data.y1; ++y)
+                for (int x = cut.data.x0; x < cut.data.x1; ++x)
+                    ASSERT_EQ(cut.channels[c].floats()[std::size_t((y - cut.data.y0) * cut.data.width() + x - cut.data.x0)],
+                              picture.channels[c].floats()[std::size_t(y * 131 + x)])
+                        << x << ' ' << y;
+    }
+    LiveFilm live(device_, renderer, 131, kHeight, kColourPlanes);
+    live.begin({{Marcher::Exact, 0, 131}}, Sampling::Jittered, 5);
+    for (int samples = 1; samples <= 3;) samples += live.step(1e-9);
+    const Image grown = live.read();
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(grown.channels[c].floats(), picture.channels[c].floats());
+}
+
+// All loops of an invocation share one limit, so few turns where one pixel's are long; baselines have no second pass.
+TEST_F(RendererTest, TurnsAreFewWhereLoopsAreLong) {
+    SceneTraits traits = world("Material \"conductor\"\n" + planet()).packed.traits;
+    ASSERT_TRUE(traits.needsPaths());
+    const int most = turnsOf(device_, traits, Marcher::Exact);
+    EXPECT_EQ(turnsOf(device_, traits, Marcher::Naive), 1);
+    EXPECT_EQ(turnsOf(device_, traits, Marcher::Lipschitz), 1);
+    if (device_.info().type != "CPU") {
+        EXPECT_EQ(most, 1);
+        return;
+    }
+    EXPECT_LE(most, 8);
+    traits.triangles = MAX_TRIANGLES;
+    traits.paths.max_depth = 8;
+    EXPECT_EQ(turnsOf(device_, traits, Marcher::Exact), 1);
+    traits.triangles = 0;
+    traits.objects = MAX_OBJECTS;
+    EXPECT_LE(turnsOf(device_, traits, Marcher::Exact), most);
+    traits.paths.max_depth = MAX_DEPTH;
+    traits.lights = MAX_LIGHTS;
+    EXPECT_EQ(turnsOf(device_, traits, Marcher::Exact), 1);
+}
+
 // Rows far below, beside and between the objects are never dispatched.
 TEST_F(RendererTest, UndispatchedPixelsAreMisses) {
     World made = world("Translate -1 .6 0\nShape \"sphere\" \"float radius\" .3\n");

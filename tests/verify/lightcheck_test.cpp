@@ -198,7 +198,7 @@ TEST(LightCheck, WrongShadingNormalsAreFoundOut) {
     const reference::WorldHit hit = comparison.tracer().firstHit(ray.origin, ray.direction);
     ASSERT_EQ(hit.shape, 0);
     Answer answer{.hit = true, .shape = 0, .t = hit.t(), .object_position = {0.0, 0.0, 1.0}, .normal = {0.0, 0.0, 1.0}};
-    for (const dvec3& wrong : {dvec3(0.0), dvec3(0.0, 0.01, 1.0)}) {
+    for (const dvec3& wrong : {dvec3(0.0), glm::normalize(dvec3(0.0, 0.01, 1.0))}) {
         Report report;
         answer.smooth_normal = answer.normal;
         comparison.checkHit(report, 0, ray, answer);
