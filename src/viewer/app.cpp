@@ -177,12 +177,14 @@ void App::drawFrame() {
     applyUi();
 }
 
-// An event may have come right after the last look: the times kept are the earliest that are possible.
+// An event ends a wait at once, but may have come right after the last look if there was none: the times kept are the
+// earliest that are possible.
 void App::listen(double wait) {
-    const double polled = last_poll_;
+    const double polled = last_poll_, start = window_.now();
     const std::vector<Event> events = window_.poll(wait);
     last_poll_ = window_.now();
-    if (!events.empty() && heard_since_ < 0.0) heard_since_ = std::max(polled, last_poll_ - 0.1);
+    const bool waited = last_poll_ - start > 0.002;
+    if (!events.empty() && heard_since_ < 0.0) heard_since_ = waited && wait > 0.0 ? last_poll_ : polled;
     heard_.insert(heard_.end(), events.begin(), events.end());
 }
 
