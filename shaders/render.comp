@@ -207,7 +207,8 @@ void main() {
                 finish(task, resultOf(path, rules), sample_index);
             }
         }
-        if (!path.going) {
+        working = path.going;
+        if (kTurns > 1 && !path.going) {
             ++turn;
             working = turn < kTurns;
             task = findTask(turn);
