@@ -33,8 +33,8 @@ float safeStride(const PackedScene& packed, const MarchMethod& method) {
     return std::nextafter(float(1.0 / bound), 0.0f);
 }
 
-// Baselines have no second pipeline to leave pixels to. Fewer turns where a pixel's loops are long before any march, and
-// where cores are many: each has to find groups to run.
+// Baselines have no second pipeline to leave pixels to. Fewer turns where a pixel's loops are long before any march,
+// and where cores are many: each has to find groups to run.
 int turnsOf(const gpu::Device& device, const SceneTraits& traits, const MarchMethod& method) {
     if (!traits.needsPaths() || method.marcher != Marcher::Exact || !isNarrow(device)) return 1;
     const std::uint64_t vertices = traits.paths.max_depth + 1;

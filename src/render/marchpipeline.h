@@ -14,8 +14,8 @@ enum class Shader { Render, Probe };
 /// The share of |p| - r that no step of the Lipschitz marcher may exceed; 1 for the others.
 float safeStride(const PackedScene& packed, const MarchMethod& method);
 
-/// Pixels that an invocation of the first pipeline takes, one after the other, so that those whose paths end early are not
-/// idle until the longest of their group has.
+/// Pixels that an invocation of the first pipeline takes, one after the other, so that those whose paths end early are
+/// not idle until the longest of their group has.
 int turnsOf(const gpu::Device& device, const SceneTraits& traits, const MarchMethod& method);
 
 /// A pipeline of a shader (one of its MARCH_ variants) that marches such a scene, specialised to what the scene

@@ -191,9 +191,8 @@ void App::listen(double wait) {
 // Whether what was heard may ask for another picture: a mouse that only moves does not.
 bool App::called() const {
     const bool held = drag_ != Drag::None || ImGui::IsAnyItemActive();
-    return std::ranges::any_of(heard_, [&](const Event& event) {
-        return event.kind == Event::Move ? held : event.kind != Event::KeyUp;
-    });
+    return std::ranges::any_of(
+        heard_, [&](const Event& event) { return event.kind == Event::Move ? held : event.kind != Event::KeyUp; });
 }
 
 void App::run() {

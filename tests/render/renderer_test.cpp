@@ -39,12 +39,11 @@ TEST_F(RendererTest, CropsArePartsOfTheWhole) {
     }
 }
 
-// In a crop of eight columns an invocation has one pixel, in the whole picture up to eight: paths are the same. Live pictures
-// in the smallest slices are cut into parts of tiles.
+// In a crop of eight columns an invocation has one pixel, in the whole picture up to eight: paths are the same. Live
+// pictures in the smallest slices are cut into parts of tiles.
 TEST_F(RendererTest, PathsDoNotDependOnTurns) {
-    const std::string objects =
-        "Material \"matte\" \"rgb Kd\" [.9 .9 .9] \"float sigma\" 20\n" + planet() +
-        "Material \"conductor\"\nTranslate 1.1 0 .4\nShape \"sphere\" \"float radius\" .4\n";
+    const std::string objects = "Material \"matte\" \"rgb Kd\" [.9 .9 .9] \"float sigma\" 20\n" + planet() +
+                                "Material \"conductor\"\nTranslate 1.1 0 .4\nShape \"sphere\" \"float radius\" .4\n";
     World whole = world(objects);
     whole.scene.film.width = 131;
     ASSERT_TRUE(whole.packed.traits.needsPaths());
@@ -61,8 +60,9 @@ TEST_F(RendererTest, PathsDoNotDependOnTurns) {
         for (std::size_t c = 0; c < 3; ++c)
             for (int y = cut.data.y0; y < cut.data.y1; ++y)
                 for (int x = cut.data.x0; x < cut.data.x1; ++x)
-                    ASSERT_EQ(cut.channels[c].floats()[std::size_t((y - cut.data.y0) * cut.data.width() + x - cut.data.x0)],
-                              picture.channels[c].floats()[std::size_t(y * 131 + x)])
+                    ASSERT_EQ(
+                        cut.channels[c].floats()[std::size_t((y - cut.data.y0) * cut.data.width() + x - cut.data.x0)],
+                        picture.channels[c].floats()[std::size_t(y * 131 + x)])
                         << x << ' ' << y;
     }
     LiveFilm live(device_, renderer, 131, kHeight, kColourPlanes);
