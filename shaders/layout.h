@@ -18,8 +18,8 @@ using uint = std::uint32_t;
 #define PROBE_GROUP_SIZE 64
 
 #define BINDING_OBJECTS 0  // uniform buffers: lavapipe reads storage buffers lane by lane
-#define BINDING_MAPS 1     // MAX_OBJECTS a level of detail, one an object in the same order: a looked-up index would not
-                           // count as uniform
+// MAX_OBJECTS a level of detail, one an object in the same order: a looked-up index would not count as uniform.
+#define BINDING_MAPS 1
 #define BINDING_LIGHTS 2
 #define BINDING_MATERIALS 3
 #define BINDING_TRIANGLES 4
@@ -27,12 +27,13 @@ using uint = std::uint32_t;
 #define BINDING_TABLES 6   // floats: what WITH_PATHS looks up (PathTables of the host)
 #define BINDING_HEIGHTS 7  // r32f array: stored map values, pole rows included
 #define BINDING_BOUNDS 8   // r32f array: squared radii, the cube-map pyramids
-#define BINDING_EDGES 9    // rgba32f: sine and cosine of each cell's west (north) edge, then what their rounding left;
-                           // the same of the centres of images' texels (disk: their distances)
+// rgba32f: sine and cosine of each cell's west (north) edge, then what their rounding left; the same of the centres of
+// images' texels (disk: their distances).
+#define BINDING_EDGES 9
 #define BINDING_IMAGES 10  // r32ui array: the colour images' texels
 #define BINDING_NODES 11   // rgba32f array: a spline's value, slopes east and south, and twist at the nodes
 #define BINDING_FILM 12    // r32ui array: one layer a plane (probe.comp: the rays)
-#define BINDING_HITS 13   // probe.comp: the answers
+#define BINDING_HITS 13    // probe.comp: the answers
 #define BINDING_RETRY 13   // render.comp: the pixels that FILTER leaves to FULL
 
 #define SPEC_MARCHER 0
@@ -46,21 +47,21 @@ using uint = std::uint32_t;
 #define SPEC_DETAIL 8     // float; exact: pixels that a level of detail may be off, 0: none is used
 #define SPEC_SURFACES 9   // bit per SURFACE_ that the scene holds; read by the variants WITH_CURVED alone
 // Of the next nine, the variants without WITH_PATHS read SPEC_LIGHT_KINDS alone.
-#define SPEC_MATERIALS 10     // bit per MATERIAL_ that the scene holds
-#define SPEC_LIGHT_KINDS 11   // bit per LIGHT_ that the scene holds
-#define SPEC_CHECKERBOARDS 12 // 1 if an object has one
-#define SPEC_MAX_DEPTH 13     // reflections that are followed
-#define SPEC_DIFFUSE_PATHS 14 // 1: every material reflects (path); 0: mirrors alone do (directlighting)
-#define SPEC_CLAMP 15         // float; the most that a channel of a sample may hold, 0: no limit
-#define SPEC_GAUSSIAN 16      // 1: the pixel filter is the Gaussian of the tables; 0: a box
-#define SPEC_RADIUS_X 17      // float, of the pixel filter
+#define SPEC_MATERIALS 10      // bit per MATERIAL_ that the scene holds
+#define SPEC_LIGHT_KINDS 11    // bit per LIGHT_ that the scene holds
+#define SPEC_CHECKERBOARDS 12  // 1 if an object has one
+#define SPEC_MAX_DEPTH 13      // reflections that are followed
+#define SPEC_DIFFUSE_PATHS 14  // 1: every material reflects (path); 0: mirrors alone do (directlighting)
+#define SPEC_CLAMP 15          // float; the most that a channel of a sample may hold, 0: no limit
+#define SPEC_GAUSSIAN 16       // 1: the pixel filter is the Gaussian of the tables; 0: a box
+#define SPEC_RADIUS_X 17       // float, of the pixel filter
 #define SPEC_RADIUS_Y 18
-#define SPEC_SHADOWS 19       // 0: light passes through everything
-#define SPEC_REGULARIZE 20    // 1: later facets are rougher
-#define SPEC_RETRY_STRIDE 21  // invocations from one retried pixel to the next: their rays have nothing in common
-#define SPEC_ONLY_DISPLACED 22 // the scene's only displaced sphere, by its index; -1: it has none or several
-#define SPEC_ONLY_PLAIN 23     // the same of all other objects
-#define SPEC_TURNS 24          // pixels that an invocation takes, one after the other; WITH_PATHS alone
+#define SPEC_SHADOWS 19         // 0: light passes through everything
+#define SPEC_REGULARIZE 20      // 1: later facets are rougher
+#define SPEC_RETRY_STRIDE 21    // invocations from one retried pixel to the next: their rays have nothing in common
+#define SPEC_ONLY_DISPLACED 22  // the scene's only displaced sphere, by its index; -1: it has none or several
+#define SPEC_ONLY_PLAIN 23      // the same of all other objects
+#define SPEC_TURNS 24           // pixels that an invocation takes, one after the other; WITH_PATHS alone
 #define SPEC_COUNT 25
 
 #define MARCHER_EXACT 0
@@ -68,9 +69,10 @@ using uint = std::uint32_t;
 #define MARCHER_NAIVE_SHELL 2  // the same, started at the shell
 #define MARCHER_LIPSCHITZ 3    // sphere tracing with a proven bound of the slope
 
-// What a variant of a shader marches with (MARCH_WITH). FILTER decides in single floats what rounding cannot change, and
-// lists the pixels where it could: they are done again with FULL, 48 bits. BOTH does that at once, ray by ray. BASELINE:
-// the marchers that are not exact. Variants, not constants: drivers would inline all of them before they drop any.
+// What a variant of a shader marches with (MARCH_WITH). FILTER decides in single floats what rounding cannot change,
+// and lists the pixels where it could: they are done again with FULL, 48 bits. BOTH does that at once, ray by ray.
+// BASELINE: the marchers that are not exact. Variants, not constants: drivers would inline all of them before they drop
+// any.
 #define MARCH_FILTER 0
 #define MARCH_FULL 1
 #define MARCH_BOTH 2
@@ -94,7 +96,8 @@ using uint = std::uint32_t;
 #define LIGHT_SPHERE 4
 #define LIGHT_DISK 5
 
-// What a displaced sphere's heights are between the nodes. The shader variants without WITH_CURVED know the first alone.
+// What a displaced sphere's heights are between the nodes. The shader variants without WITH_CURVED know the first
+// alone.
 #define SURFACE_BILINEAR 0
 #define SURFACE_SPLINE 1
 #define SURFACE_RIPPLES 2
@@ -138,22 +141,24 @@ using uint = std::uint32_t;
 #define PLANE_FLAGS 28  // bit 0: inside, bit 1: the step limit ended the march (never, if all is well)
 #define PLANE_COUNT 29
 
-// Loops of one invocation share 65,535 back-edges on lavapipe, all rays of its pixels together, and end silently there; its
-// whole SIMD group shares them, and pays the sum where its lanes are not long at once. A march takes some 25 on average;
-// the longest, across a pole of a map 16,384 wide, passes 8,192 cells of 4 fetches each.
+// Loops of one invocation share 65,535 back-edges on lavapipe, all rays of its pixels together, and end silently there;
+// its whole SIMD group shares them, and pays the sum where its lanes are not long at once. A march takes some 25 on
+// average; the longest, across a pole of a map 16,384 wide, passes 8,192 cells of 4 fetches each.
 #define MAX_STEPS 48000
 #define MAX_MARCHES 640  // shapes times (lights + 1)
-#define TURN_STEPS 12000  // an invocation whose searches took more takes no further pixel; a back-edge through a cell is 4 steps
-#define TURN_LOOPS 16384  // back-edges of an invocation's turns outside of marches: through objects, triangles, vertices
+// An invocation whose searches took more takes no further pixel. A back-edge through a cell is 4 steps.
+#define TURN_STEPS 12000
+// Back-edges of an invocation's turns outside of marches: through objects, triangles, vertices.
+#define TURN_LOOPS 16384
 
 #define MAX_OBJECTS 64
 #define MAX_LIGHTS 32
 #define MAX_DEPTH 64
 #define FILTER_INTERVALS 256  // of the Gaussian's inverse distribution, x then y, where the tables begin
 #define LOSS_INTERVALS 128    // of a conductor's loss over the root of the cosine; one value more at either end
-#define MAX_TRIANGLES 512  // of all meshes together
-#define MAX_LEVELS 8    // of detail; level 0 is the map
-#define RAMP_POINTS 17  // control points of a colour ramp, at equal distances
+#define MAX_TRIANGLES 512     // of all meshes together
+#define MAX_LEVELS 8          // of detail; level 0 is the map
+#define RAMP_POINTS 17        // control points of a colour ramp, at equal distances
 
 struct ObjectData {
     // Camera ray of raster position (x, y), object space in units of R: it passes through the point P = point_0 + X
@@ -166,21 +171,21 @@ struct ObjectData {
     vec4 to_world_x, to_world_y, to_world_z;     // rows, object in units of R -> world
     vec4 from_start, start_x, start_y;           // world: the object's centre seen from the ray's start at X = Y = 0,
                                                  // and that start's steps
-    vec4 from_first;                             // world: the object's centre seen from object 0's; w: radius of a sphere
-                                                 // about it that holds a displaced sphere; others': negative
-    vec4 albedo;                                 // rgb; of a constant texture
-    float anchor_x, anchor_y;                    // raster
-    float base, base_lo, scale;                  // r = base + base_lo + scale * stored value, units of R
-    float ramp_offset, ramp_scale;               // h = ramp_offset + ramp_scale * stored value
-    float shell_squared;                         // of a sphere around everything, rounded outward
-    float inner_squared;                         // disk: the squared inner radius
-    float offset;                                // e: start of secondary rays above the hit, units of R
-    int kind, ramp;                              // KIND_; index of the ramp, -1: none
-    vec4 image_north, image_south;               // rgb: a displaced sphere's poles, unscaled
-    int image, image_width, image_height;        // IMAGE_
-    int image_y, image_layer;                    // where texel row 0 lies in the images
-    int image_centres_y;                         // row of `edges` for the texel columns' centres; the next: the rows'
-    float image_shift;                           // turns from a longitude of 0 back to the image's left edge
+    vec4 from_first;                       // world: the object's centre seen from object 0's; w: radius of a sphere
+                                           // about it that holds a displaced sphere; others': negative
+    vec4 albedo;                           // rgb; of a constant texture
+    float anchor_x, anchor_y;              // raster
+    float base, base_lo, scale;            // r = base + base_lo + scale * stored value, units of R
+    float ramp_offset, ramp_scale;         // h = ramp_offset + ramp_scale * stored value
+    float shell_squared;                   // of a sphere around everything, rounded outward
+    float inner_squared;                   // disk: the squared inner radius
+    float offset;                          // e: start of secondary rays above the hit, units of R
+    int kind, ramp;                        // KIND_; index of the ramp, -1: none
+    vec4 image_north, image_south;         // rgb: a displaced sphere's poles, unscaled
+    int image, image_width, image_height;  // IMAGE_
+    int image_y, image_layer;              // where texel row 0 lies in the images
+    int image_centres_y;                   // row of `edges` for the texel columns' centres; the next: the rows'
+    float image_shift;                     // turns from a longitude of 0 back to the image's left edge
     float pixel_size, pixel_growth;  // a pixel spans size + growth * distance from the ray's start at least, units of R
     int first_triangle, triangle_count;  // KIND_MESH
     float pad0;
@@ -193,10 +198,10 @@ struct LightData {
     // WITH_PATHS alone reads the rest. LIGHT_DISK: world vectors as long as its radius along its own x and y, and its
     // unit normal. LIGHT_IMAGE: the rows of world -> light.
     vec4 x_axis, y_axis, z_axis;
-    int kind, object;      // LIGHT_; the object that shines, -1: none
-    float share, shares;   // its chance to be drawn at a path's later vertices, and those of all before it and it
-    float inner_squared;   // LIGHT_DISK: the squared share of the inner radius
-    float measure;         // LIGHT_SPHERE: its radius; LIGHT_DISK: its area
+    int kind, object;     // LIGHT_; the object that shines, -1: none
+    float share, shares;  // its chance to be drawn at a path's later vertices, and those of all before it and it
+    float inner_squared;  // LIGHT_DISK: the squared share of the inner radius
+    float measure;        // LIGHT_SPHERE: its radius; LIGHT_DISK: its area
     int two_sided;
     // LIGHT_IMAGE: size, place in the images, and in the tables: the rows' distribution, height + 1 values; each row's
     // own, width + 1 values; the texels' densities over the unit square.
@@ -204,18 +209,19 @@ struct LightData {
     int table, pad0, pad1, pad2;
 };
 
-// WITH_PATHS alone. Object k's is the one at k; MAX_OBJECTS + k is its regularized() one, if SPEC_REGULARIZE asks for it.
+// WITH_PATHS alone. Object k's is the one at k; MAX_OBJECTS + k is its regularized() one, if SPEC_REGULARIZE asks for
+// it.
 struct MaterialData {
-    vec4 odd;              // checkerboard: rgb where the sum of the cells is odd; ObjectData::albedo is the other colour
-    vec4 specular;         // mirror: rgb reflectance; plastic: rgb factor of the facets
-    vec4 eta, k;           // conductor
-    vec4 bounced;          // conductor: rgb F_ms / (pi (1 - E_mean)), see docs/light.md
-    int kind;              // MATERIAL_
-    int checkerboard;      // 1: there is one
+    vec4 odd;          // checkerboard: rgb where the sum of the cells is odd; ObjectData::albedo is the other colour
+    vec4 specular;     // mirror: rgb reflectance; plastic: rgb factor of the facets
+    vec4 eta, k;       // conductor
+    vec4 bounced;      // conductor: rgb F_ms / (pi (1 - E_mean)), see docs/light.md
+    int kind;          // MATERIAL_
+    int checkerboard;  // 1: there is one
     float u_scale, v_scale;
-    float alpha;           // GGX
+    float alpha;             // GGX
     float rough_a, rough_b;  // matte: Oren and Nayar's A and B
-    int table;             // conductor: of its loss 1 - E in the tables
+    int table;               // conductor: of its loss 1 - E in the tables
     int pad0, pad1, pad2, pad3;
 };
 
@@ -236,9 +242,10 @@ struct MapData {
     float cap_shift;  // node row of colatitude theta = theta * cells_per_radian_v + cap_shift
     // Of a cell's angular size; versin = 1 - cos; _cap: of the height of the rows that touch a pole.
     float tan_width, tan_height, sin_width, versin_width, sin_height, versin_height, sin_cap, versin_cap;
-    float least_pixel;  // length of a pixel, units of R, from which this level of detail serves, for an error of one pixel
-    // WITH_CURVED alone reads these: SURFACE_; rows of each polar cap; where node row 0 lies in the nodes image; whether
-    // shading normals are those of the nodes; ripples: radians of the sines a column and a row.
+    float least_pixel;  // length of a pixel, units of R, from which this level of detail serves, for an error of one
+                        // pixel
+    // WITH_CURVED alone reads these: SURFACE_; rows of each polar cap; where node row 0 lies in the nodes image;
+    // whether shading normals are those of the nodes; ripples: radians of the sines a column and a row.
     int surface, cap_rows, nodes_y, nodes_layer, smooth_normals;
     float phase_u, phase_v;
 };
