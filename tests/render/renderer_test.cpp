@@ -12,10 +12,27 @@ class RendererTest : public WorldTest {
     void TearDown() override {
         for (const std::string& message : device_.validationMessages()) ADD_FAILURE() << message;
     }
-    static std::size_t at(int x, int y) { return std::size_t(y) * kWidth + std::size_t(x); }
 
     gpu::Device device_{{"", true}};
 };
+
+/// Every channel of `cut` holds what `picture` does there, bit for bit.
+void expectPart(const Image& cut, const Image& picture) {
+    for (std::size_t c = 0; c < cut.channels.size(); ++c)
+        for (int y = cut.data.y0; y < cut.data.y1; ++y)
+            for (int x = cut.data.x0; x < cut.data.x1; ++x) {
+                const auto placeIn = [&](const Image& image) {
+                    return std::size_t(y - image.data.y0) * std::size_t(image.data.width()) +
+                           std::size_t(x - image.data.x0);
+                };
+                const std::size_t i = placeIn(cut), k = placeIn(picture);
+                const Channel &part = cut.channels[c], &whole = picture.channels[c];
+                if (part.isFloat())
+                    ASSERT_EQ(part.floats()[i], whole.floats()[k]) << part.name << " at " << x << ' ' << y;
+                else
+                    ASSERT_EQ(part.uints()[i], whole.uints()[k]) << part.name << " at " << x << ' ' << y;
+            }
+}
 
 TEST_F(RendererTest, CropsArePartsOfTheWhole) {
     World whole = world(planet());
@@ -28,14 +45,7 @@ TEST_F(RendererTest, CropsArePartsOfTheWhole) {
         Image cut = Renderer(device_, part.packed, part.scene, Marcher::Exact).renderPlanes(kVerifyPlanes, {});
         EXPECT_EQ(cut.display, (Box{0, 0, kWidth, kHeight}));
         ASSERT_EQ(cut.data, cropBox(part.scene.film));
-        for (std::size_t c = 0; c < cut.channels.size(); ++c)
-            for (std::size_t i = 0; i < cut.pixelCount(); ++i) {
-                std::size_t k = at(cut.data.x0 + int(i) % cut.data.width(), cut.data.y0 + int(i) / cut.data.width());
-                if (cut.channels[c].isFloat())
-                    ASSERT_EQ(cut.channels[c].floats()[i], picture.channels[c].floats()[k]) << cut.channels[c].name;
-                else
-                    ASSERT_EQ(cut.channels[c].uints()[i], picture.channels[c].uints()[k]) << cut.channels[c].name;
-            }
+        ASSERT_NO_FATAL_FAILURE(expectPart(cut, picture));
     }
 }
 
@@ -57,13 +67,8 @@ TEST_F(RendererTest, PathsDoNotDependOnTurns) {
         packCamera(part.packed, part.scene);
         const Image cut = Renderer(device_, part.packed, part.scene, Marcher::Exact).renderColour(3, 5, {});
         ASSERT_LE(cut.data.width(), 8);
-        for (std::size_t c = 0; c < 3; ++c)
-            for (int y = cut.data.y0; y < cut.data.y1; ++y)
-                for (int x = cut.data.x0; x < cut.data.x1; ++x)
-                    ASSERT_EQ(
-                        cut.channels[c].floats()[std::size_t((y - cut.data.y0) * cut.data.width() + x - cut.data.x0)],
-                        picture.channels[c].floats()[std::size_t(y * 131 + x)])
-                        << x << ' ' << y;
+        ASSERT_EQ(cut.channels.size(), 3u);
+        ASSERT_NO_FATAL_FAILURE(expectPart(cut, picture));
     }
     LiveFilm live(device_, renderer, 131, kHeight, kColourPlanes);
     live.begin({{Marcher::Exact, 0, 131}}, Sampling::Jittered, 5);
