@@ -92,7 +92,6 @@ void App::startPicture(bool draft) {
     draft ? schedule_.beginDraft() : schedule_.beginStill();
     begun_ = true;
     published_ = false;
-    draft_began_ = window_.now();
     draft_seconds_ = 0.0;
     if (view_input_ < 0.0) view_input_ = input_since_;
     input_since_ = -1.0;
@@ -183,8 +182,8 @@ void App::listen(double wait) {
     const double polled = last_poll_, start = window_.now();
     const std::vector<Event> events = window_.poll(wait);
     last_poll_ = window_.now();
-    const bool waited = last_poll_ - start > 0.002;
-    if (!events.empty() && heard_since_ < 0.0) heard_since_ = waited && wait > 0.0 ? last_poll_ : polled;
+    const bool waited = wait > 0.0 && last_poll_ - start > 0.002;
+    if (!events.empty() && heard_since_ < 0.0) heard_since_ = waited ? last_poll_ : polled;
     heard_.insert(heard_.end(), events.begin(), events.end());
 }
 

@@ -115,7 +115,7 @@ class App {
     bool begun_ = false;         ///< the stage's film is being filled or full
     bool published_ = false;     ///< the window shows what the film holds
     bool screenshot_wanted_ = false;
-    double draft_began_ = 0.0, draft_seconds_ = 0.0, draw_seconds_ = 0.0, frame_seconds_ = 0.0;
+    double draft_seconds_ = 0.0, draw_seconds_ = 0.0, frame_seconds_ = 0.0;
     std::vector<Event> heard_;   ///< events that wait for the loop's next turn
     double heard_since_ = -1.0;  ///< when the first of them came, at the earliest; -1: none waits
     double input_since_ = -1.0;  ///< the same of events that neither a picture nor a frame has answered yet
