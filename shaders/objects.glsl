@@ -189,8 +189,13 @@ ObjectHit hitDisplaced(const ObjectData object, const MapData map, const Ray ray
     return hit;
 }
 
+// Of an object that is of one of the `possible` kinds.
+bool isKindAmong(const ObjectData object, const int kind, const int possible) {
+    return (possible & 1 << kind) != 0 && (possible == 1 << kind || object.kind == kind);
+}
+
 bool isKind(const ObjectData object, const int kind) {
-    return (kKinds & 1 << kind) != 0 && (kKinds == 1 << kind || object.kind == kind);
+    return isKindAmong(object, kind, kKinds);
 }
 
 #ifdef WITH_PATHS
@@ -201,12 +206,11 @@ bool isKind(const ObjectData object, const int kind) {
 const int kDisplaced = 1 << KIND_DISPLACED;
 const int kPlain = ~kDisplaced;
 
-// isKind() of an object that may be of the `kinds` meant alone. Loops over displaced spheres have no other turns.
+// Whether an object is of that kind and the kind is meant. Loops over displaced spheres meet no others, nor does who asks
+// for the only plain object.
 bool isKindMeant(const ObjectData object, const int kind, const int kinds) {
-    if ((kinds & 1 << kind) == 0) return false;
-    bool known = kinds == kDisplaced || (kinds == kPlain && kOnlyPlain >= 0);
-    return known ? (kKinds & kinds & 1 << kind) != 0 && ((kKinds & kinds) == 1 << kind || object.kind == kind)
-                 : isKind(object, kind);
+    bool all_meant = kinds == kDisplaced || (kinds == kPlain && kOnlyPlain >= 0);
+    return (kinds & 1 << kind) != 0 && isKindAmong(object, kind, all_meant ? kKinds & kinds : kKinds);
 }
 
 // Of an object of the kinds meant; nothing of others.
@@ -225,7 +229,7 @@ ObjectHit hitObject(const ObjectData object, const MapData map, const Ray ray, c
     return hit;
 }
 
-// What searches for shadows came to: whether another precision must decide, and their steps.
+// What a pixel's searches came to: whether another precision must decide, and their steps.
 struct Searches {
     bool doubtful;
     int steps;

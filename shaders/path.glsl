@@ -128,14 +128,6 @@ vec3 emitted(const SurfacePoint point, const vec3 direction, const Departure dep
     return sum;
 }
 
-// A picture's sample, or the planes of its centre.
-struct Gathered {
-    SurfacePoint point;  // that the camera's ray met
-    vec3 albedo, colour;
-    uint lit;
-    bool doubtful;
-};
-
 // A path on its way.
 struct Path {
     Gathered result;
@@ -143,16 +135,13 @@ struct Path {
     Numbers numbers;
     Departure departure;
     vec3 throughput;
-    int vertices, steps;  // so far; steps: of its searches
+    int vertices;  // so far
     bool going, softened;
 };
 
-Path startPath(const Segment segment, const Numbers numbers) {
+Path startPath(const Segment segment, const Numbers numbers, const bool going) {
     Path path;
-    path.result.albedo = vec3(0.0);
-    path.result.colour = vec3(0.0);
-    path.result.lit = 0u;
-    path.result.doubtful = false;
+    path.result = nothingGathered();
     path.segment = segment;
     path.numbers = numbers;
     path.departure.normal = vec3(0.0, 0.0, 1.0);
@@ -160,8 +149,7 @@ Path startPath(const Segment segment, const Numbers numbers) {
     path.departure.from_camera_hit = false;
     path.throughput = vec3(1.0);
     path.vertices = 0;
-    path.steps = 0;
-    path.going = true;
+    path.going = going;
     path.softened = false;
     return path;
 }
@@ -172,19 +160,14 @@ void gatherLights(inout Path path, const Vertex vertex, const Rules rules) {
     float draw = n == 0 ? 0.0 : numbersAt(path.numbers, n, kPairChoice).x;
     bool all = n == 0 || kDiffusePaths == 0;
     int asked = all ? kLightCount : min(kLightCount, 1);
-    Searches searches;
-    searches.doubtful = path.result.doubtful;
-    searches.steps = path.steps;
     for (int i = 0; i < asked; ++i) {
         int k = all ? i : drawnLight(draw);
         vec2 u = numbersAt(path.numbers, n, kPairLights + uint(k));
         bool seen = false;
-        vec3 light = lightThrough(vertex, k, u, all ? 1.0 : lights[k].share, rules, seen, searches);
+        vec3 light = lightThrough(vertex, k, u, all ? 1.0 : lights[k].share, rules, seen, path.result.searches);
         path.result.colour += path.throughput * light;
         if (n == 0 && seen) path.result.lit |= 1u << k;
     }
-    path.result.doubtful = searches.doubtful;
-    path.steps = searches.steps;
 }
 
 // Turns the path to where the material reflects it, if anywhere.
@@ -223,10 +206,10 @@ void reflectPath(inout Path path, const Vertex vertex) {
 void extendPath(inout Path path, const Rules rules) {
     const int n = path.vertices;
     SurfacePoint point = nearestHit(path.segment);
-    path.result.doubtful = path.result.doubtful || point.doubtful;
-    path.steps += point.steps;
+    path.result.searches.doubtful = path.result.searches.doubtful || point.doubtful;
+    path.result.searches.steps += point.steps;
     if (n == 0) path.result.point = point;
-    path.going = !path.result.doubtful && kWantsLight;
+    path.going = !path.result.searches.doubtful && kWantsLight;
     if (path.going && sceneHasMetLights())
         path.result.colour += path.throughput * emitted(point, segmentDirection(path.segment), path.departure);
     path.going = path.going && point.hit;
@@ -237,7 +220,7 @@ void extendPath(inout Path path, const Rules rules) {
         if (path.going) {
             gatherLights(path, vertex, rules);
             reflectPath(path, vertex);
-            path.going = path.going && !path.result.doubtful && n < (rules.centre ? 0 : kMaxDepth);
+            path.going = path.going && !path.result.searches.doubtful && n < (rules.centre ? 0 : kMaxDepth);
         }
     }
     path.vertices = n + 1;

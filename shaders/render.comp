@@ -82,8 +82,15 @@ struct Task {
     bool exists;
 };
 
+// How many an invocation has.
+#if defined(WITH_PATHS) && MARCH_WITH != MARCH_FULL
+const int kTasks = kTurns;
+#else
+const int kTasks = 1;
+#endif
+
 #if MARCH_WITH == MARCH_FULL
-Task findTask() {
+Task findTask(const int n) {
     uint group = gl_WorkGroupID.y * RETRY_ROW + gl_WorkGroupID.x;
     uint index = group * kRetryGroup + gl_LocalInvocationIndex / kRetryStride;
     Task task;
@@ -102,26 +109,13 @@ Task findTask() {
 Task findTask(const int n) {
     ivec2 lane = ivec2(gl_LocalInvocationID.xy);
     ivec2 within = ivec2((lane.x & 3) | (lane.y & 1) << 2, (lane.y & 6) | lane.x >> 2);
-#ifdef WITH_PATHS
-    ivec2 block = ivec2(int(gl_WorkGroupID.x) * kTurns + n, int(gl_WorkGroupID.y));
-#else
-    ivec2 block = ivec2(gl_WorkGroupID.xy);
-#endif
+    ivec2 block = ivec2(int(gl_WorkGroupID.x) * kTasks + n, int(gl_WorkGroupID.y));
     Task task;
     task.pixel = ivec2(params.tile_x, params.tile_y) + block * ivec2(GROUP_SIZE_X, GROUP_SIZE_Y) + within;
     task.clear = -kInfinity;
     task.exists = task.pixel.x < params.tile_x1 && task.pixel.y < params.tile_y1;
     return task;
 }
-#endif
-
-#ifndef WITH_PATHS
-struct Gathered {
-    SurfacePoint point;
-    vec3 albedo, colour;
-    uint lit;
-    bool doubtful;
-};
 #endif
 
 void leaveForRetry(const ivec2 pixel, const float clear) {
@@ -138,7 +132,7 @@ void leaveForRetry(const ivec2 pixel, const float clear) {
 
 // Film planes of a pixel whose ray, or another that it needs, is in doubt are left to the other precision.
 void finish(const Task task, const Gathered gathered, const int sample_index) {
-    if (gathered.doubtful) {
+    if (gathered.searches.doubtful) {
         leaveForRetry(task.pixel, gathered.point.clear);
         return;
     }
@@ -173,20 +167,9 @@ Path pathOf(const Task task, const int sample_index) {
     numbers.key = pixelKey(raster.x, raster.y, params.seed);
     numbers.index = max(sample_index, 0);
     vec2 jitter = sample_index < 0 ? vec2(0.0) : filterPlace(numbersAt(numbers, 0, 0u));
-    return startPath(cameraSegment(vec2(raster), jitter, task.clear), numbers);
+    return startPath(cameraSegment(vec2(raster), jitter, task.clear), numbers, task.exists);
 }
 
-#if MARCH_WITH == MARCH_FULL
-void main() {
-    Task task = findTask();
-    if (!task.exists) return;
-    const int sample_index = sampleOf(task);
-    Rules rules = rulesOf(sample_index);
-    Path path = pathOf(task, sample_index);
-    for (int n = 0; n <= kMaxDepth && path.going; ++n) extendPath(path, rules);
-    finish(task, resultOf(path, rules), sample_index);
-}
-#else
 // All invocations of a SIMD group pay for the longest of their paths. So each takes its next pixel as soon as a path
 // ends, and they come out even. What an invocation that has had long searches has not begun goes to the retry: the group's
 // loops together have a limit of turns, see layout.h.
@@ -195,25 +178,20 @@ void main() {
     const int sample_index = sampleOf(task);
     Rules rules = rulesOf(sample_index);
     Path path = pathOf(task, sample_index);
-    path.going = task.exists;
-    int turn = 0;
     int steps = 0;
-    bool working = true;
-    for (int n = 0; n < kTurns * (kMaxDepth + 1) && working; ++n) {
+    int turn = 0;
+    for (int n = 0; n < kTasks * (kMaxDepth + 1) && turn < kTasks; ++n) {
         if (path.going) {
             extendPath(path, rules);
             if (!path.going) {
-                steps += path.steps;
+                steps += path.result.searches.steps;
                 finish(task, resultOf(path, rules), sample_index);
             }
         }
-        working = path.going;
-        if (kTurns > 1 && !path.going) {
-            ++turn;
-            working = turn < kTurns;
+        if (!path.going) ++turn;
+        if (kTasks > 1 && !path.going && turn < kTasks) {
             task = findTask(turn);
             path = pathOf(task, sample_index);
-            path.going = working && task.exists;
             if (path.going && steps > TURN_STEPS) {
                 leaveForRetry(task.pixel, task.clear);
                 path.going = false;
@@ -221,37 +199,22 @@ void main() {
         }
     }
 }
-#endif
 #else
-Gathered gatherSample(const Task task, const int sample_index) {
+void main() {
+    Task task = findTask(0);
+    if (!task.exists) return;
+    const int sample_index = sampleOf(task);
     ivec2 raster = rasterOf(task);
-    Gathered result;
     vec2 jitter = vec2(0.0);
     if (sample_index >= 0) jitter = samplePosition(raster.x, raster.y, sample_index, params.seed);
+    Gathered result = nothingGathered();
     result.point = nearestHit(cameraSegment(vec2(raster), jitter, task.clear));
-    result.doubtful = result.point.doubtful;
-    result.albedo = vec3(0.0);
-    result.colour = vec3(0.0);
-    result.lit = 0u;
-    if (kWantsLight && result.point.hit && !result.doubtful) {
+    result.searches.doubtful = result.point.doubtful;
+    if (kWantsLight && result.point.hit && !result.searches.doubtful) {
         result.albedo = albedoOf(result.point);
-        Searches searches;
-        searches.doubtful = false;
-        searches.steps = 0;
-        result.lit = kShadows == 0 ? ~0u : visibleLights(result.point, searches);
-        result.doubtful = searches.doubtful;
+        result.lit = kShadows == 0 ? ~0u : visibleLights(result.point, result.searches);
         result.colour = directLight(result.point, result.albedo, result.lit);
     }
-    return result;
-}
-
-void main() {
-#if MARCH_WITH == MARCH_FULL
-    Task task = findTask();
-#else
-    Task task = findTask(0);
-#endif
-    const int sample_index = sampleOf(task);
-    if (task.exists) finish(task, gatherSample(task, sample_index), sample_index);
+    finish(task, result, sample_index);
 }
 #endif

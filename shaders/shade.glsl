@@ -24,6 +24,25 @@ struct SurfacePoint {
     float residual;
 };
 
+// A picture's sample, or the planes of its centre.
+struct Gathered {
+    SurfacePoint point;  // that the camera's ray met
+    vec3 albedo, colour;
+    uint lit;
+    Searches searches;
+};
+
+// But the point.
+Gathered nothingGathered() {
+    Gathered result;
+    result.albedo = vec3(0.0);
+    result.colour = vec3(0.0);
+    result.lit = 0u;
+    result.searches.doubtful = false;
+    result.searches.steps = 0;
+    return result;
+}
+
 // Where light comes from a smoother surface than the true one, this is its normal.
 vec3 shadingNormal(const SurfacePoint point) {
 #ifdef WITH_CURVED
@@ -61,6 +80,10 @@ int onlyObject(const int k, const int kinds) {
     if (kObjectCount == 1) return 0;
     if (kinds == kDisplaced && kOnlyDisplaced >= 0) return kOnlyDisplaced;
     return kinds == kPlain && kOnlyPlain >= 0 ? kOnlyPlain : k;
+}
+
+MapData mapOf(const int k, const int kinds, const int level) {
+    return maps[level * MAX_OBJECTS + onlyObject(k, kinds)];
 }
 
 // Where a ray starts: at the camera, through a place of the picture, or on a surface.
@@ -163,10 +186,6 @@ bool isLeft(const Candidates candidates) {
 }
 
 int takeFirst(inout Candidates candidates) {
-    if (kOnlyDisplaced >= 0) {
-        candidates.low = 0u;
-        return kOnlyDisplaced;
-    }
     bool in_low = candidates.low != 0u;
     int k = in_low ? findLSB(candidates.low) : 32 + findLSB(candidates.high);
     candidates.high = in_low ? candidates.high : candidates.high & (candidates.high - 1u);
@@ -185,19 +204,20 @@ bool mayMeet(const vec4 sphere, const vec3 start, const vec3 direction) {
     return along > -reach && dot(beside, beside) < reach * abs(reach);
 }
 
+void addIfNear(inout Candidates candidates, const int k, const vec3 start, const vec3 direction) {
+    uint bit = mayMeet(objects[k].from_first, start, direction) ? 1u << (k & 31) : 0u;
+    candidates.low |= k < 32 ? bit : 0u;
+    candidates.high |= k < 32 ? 0u : bit;
+}
+
 Candidates displacedNear(const vec3 start, const vec3 direction) {
     Candidates candidates;
     candidates.low = 0u;
     candidates.high = 0u;
-    if (kOnlyDisplaced >= 0) {
-        candidates.low = mayMeet(objects[kOnlyDisplaced].from_first, start, direction) ? 1u : 0u;
-        return candidates;
-    }
-    [[dont_unroll]] for (int k = 0; k < kObjectCount; ++k) {
-        uint bit = mayMeet(objects[k].from_first, start, direction) ? 1u << (k & 31) : 0u;
-        candidates.low |= k < 32 ? bit : 0u;
-        candidates.high |= k < 32 ? 0u : bit;
-    }
+    if (kOnlyDisplaced >= 0)
+        addIfNear(candidates, kOnlyDisplaced, start, direction);
+    else
+        [[dont_unroll]] for (int k = 0; k < kObjectCount; ++k) addIfNear(candidates, k, start, direction);
     return candidates;
 }
 
@@ -208,7 +228,7 @@ void considerObject(inout SurfacePoint best, const int k, const Segment segment,
     Ray ray = segmentRay(segment, k, object, pixel);
     int level = segmentLevel(segment, k, object, ray);
     startClear(ray, segment);  // after the level, which goes by where the ray enters the shell
-    ObjectHit hit = hitObject(object, maps[level * MAX_OBJECTS + onlyObject(k, kinds)], ray, kinds);
+    ObjectHit hit = hitObject(object, mapOf(k, kinds, level), ray, kinds);
     best.steps += hit.steps;
     best.exhausted = best.exhausted || hit.exhausted;
     best.doubtful = best.doubtful || hit.doubtful;
@@ -312,7 +332,7 @@ bool shades(const int k, const SurfacePoint point, const vec3 place, const bool 
     vec3 offset = ends ? objectFromWorldVector(object, place - object.from_first.xyz) - start
                        : objectFromWorldVector(object, place);
     // P' stands on the level that the camera's ray met; other objects throw the shadows of their maps.
-    MapData map = maps[(k == point.object ? point.level : 0) * MAX_OBJECTS + onlyObject(k, kinds)];
+    MapData map = mapOf(k, kinds, k == point.object ? point.level : 0);
     return blocks(object, map, secondaryRay(start, offset, ends), kinds, searches);
 }
 
