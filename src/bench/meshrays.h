@@ -5,7 +5,8 @@
 
 namespace dsphere::bench {
 
-/// A mesh's hits are off its facets by the rounding of o + t d; so far above them, in R, no ray meets the facet it leaves.
+/// A mesh's hits are off its facets by the rounding of o + t d; so far above them, in R, no ray meets the facet it
+/// leaves.
 inline constexpr double kMeshOffset = 4e-6;
 
 /// Camera rays of the view's pixels in that order, in the planet's object space in units of R; t stays the world's

@@ -15,8 +15,8 @@ namespace {
 /// What one pixel of either picture is made of.
 struct Pixel {
     bool hit = false, lit = false;
-    dvec3 normal{0.0};  ///< world
-    double shade = 0.0; ///< cosine with the sun where it is seen
+    dvec3 normal{0.0};   ///< world
+    double shade = 0.0;  ///< cosine with the sun where it is seen
 };
 
 dvec3 sunOf(const Workload& workload) {

@@ -93,8 +93,7 @@ void writeReports(const BenchOptions& options, const bench::Results& results) {
 
 // In place of a measurement.
 int runSideBySide(const BenchOptions& options) {
-    if (options.scenes.size() != 1)
-        throw Error(ExitCode::Usage, "--beside-mesh draws one scene: name it");
+    if (options.scenes.size() != 1) throw Error(ExitCode::Usage, "--beside-mesh draws one scene: name it");
     checkWritable(options.beside_mesh);
     const bench::Workload workload = sceneSources(options)[0].make();
     gpu::Device device = openDevice(options.common);

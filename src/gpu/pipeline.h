@@ -19,8 +19,8 @@ struct Binding {
     enum Kind { StorageBuffer, UniformBuffer, StorageImage };
 };
 
-/// A compute shader made ready: entry point `main`, descriptor set 0 with bindings 0, 1, 2... of the given kinds. Where the
-/// device has made the same one before, this shares it, name and all.
+/// A compute shader made ready: entry point `main`, descriptor set 0 with bindings 0, 1, 2... of the given kinds. Where
+/// the device has made the same one before, this shares it, name and all.
 class ComputePipeline {
   public:
     /// `specialization` holds the 4-byte values of constant_id 0, 1, 2...; floats and bools are passed by their bits (a

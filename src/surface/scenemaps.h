@@ -24,9 +24,7 @@ struct SceneMaps {
     /// One pointer a shape, nullptr without an image.
     std::vector<const ColourMap*> imagePerShape() const;
     /// The infinite light's image, or nullptr.
-    const ColourMap* lightImage() const {
-        return light_image < 0 ? nullptr : images[std::size_t(light_image)].get();
-    }
+    const ColourMap* lightImage() const { return light_image < 0 ? nullptr : images[std::size_t(light_image)].get(); }
 };
 
 /// Loads every map and image of the scene. Errors as loadHeightmap, makeRelief and loadColourMap, prefixed by the place

@@ -8,10 +8,10 @@
 
 #include "surface/heightmap.h"
 #include "surface/scenemaps.h"
-#include "tests/surface/grids.h"
 #include "tests/support/expecterror.h"
 #include "tests/support/pngwriter.h"
 #include "tests/support/tempfolder.h"
+#include "tests/surface/grids.h"
 
 namespace dsphere::test {
 namespace {

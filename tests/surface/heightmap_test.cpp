@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/surface/grids.h"
 #include "tests/support/expecterror.h"
 #include "tests/support/pngwriter.h"
 #include "tests/support/tempfolder.h"
+#include "tests/surface/grids.h"
 
 namespace dsphere::test {
 namespace {
