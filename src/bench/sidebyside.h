@@ -18,9 +18,9 @@ struct SideBySide {
     Image picture;
     double median_degrees = 0.0, greatest_degrees = 0.0;  ///< between the normals where both hit
     double mean_shade = 0.0;                              ///< mean absolute difference of the shades where both hit
-    std::uint64_t hits = 0;          ///< pixels that both hit
-    std::uint64_t one_sided = 0;     ///< that one alone hits
-    std::uint64_t other_shadow = 0;  ///< that differ in shadow
+    std::uint64_t hits = 0;                               ///< pixels that both hit
+    std::uint64_t one_sided = 0;                          ///< that one alone hits
+    std::uint64_t other_shadow = 0;                       ///< that differ in shadow
 };
 
 inline constexpr double kWhiteDegrees = 10.0, kWhiteShade = 0.2;
