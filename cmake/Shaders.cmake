@@ -1,22 +1,33 @@
 # dsphere_shaders(target shader.comp...): compiles each shader to SPIR-V and embeds it as a C array
 # `kSpirv_<name>` in `shaders/<name>.spv.h` on the target's include path. Relative paths are under shaders/; included files are tracked.
 find_program(GLSLANG glslangValidator REQUIRED)
+find_program(SPIRV_OPT spirv-opt REQUIRED)
 
-# dsphere_shader_variant(target name shader.comp [MACRO=VALUE...]): the same of one shader, compiled with macros.
+# dsphere_shader_variant(target name shader.comp [MACRO=VALUE...]): the same of one shader, compiled with macros. Optimized
+# here, once, and not by every driver at every start: lavapipe then takes a fifth of the time.
 function(dsphere_shader_variant target name shader)
     list(TRANSFORM ARGN PREPEND -D OUTPUT_VARIABLE macros)
     cmake_path(ABSOLUTE_PATH shader BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/shaders OUTPUT_VARIABLE source)
-    set(header ${CMAKE_BINARY_DIR}/generated/shaders/${name}.spv.h)
+    set(folder ${CMAKE_BINARY_DIR}/generated/shaders)
+    set(spirv ${folder}/${name}.spv)
     add_custom_command(
-        OUTPUT ${header}
-        COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/generated/shaders
+        OUTPUT ${spirv}
+        COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
         COMMAND ${GLSLANG} --quiet --target-env vulkan1.1 -I${PROJECT_SOURCE_DIR}/shaders ${macros}
-                --vn kSpirv_${name} --depfile ${header}.d -o ${header} ${source}
+                --depfile ${spirv}.d -o ${spirv} ${source}
         DEPENDS ${source}
-        DEPFILE ${header}.d
+        DEPFILE ${spirv}.d
         COMMENT "Compiling shader ${name}"
         VERBATIM)
-    target_sources(${target} PRIVATE ${header})
+    add_custom_command(
+        OUTPUT ${spirv}.h
+        COMMAND ${SPIRV_OPT} --target-env=vulkan1.1 -O ${spirv} -o ${folder}/${name}.opt.spv
+        COMMAND ${CMAKE_COMMAND} -D INPUT=${folder}/${name}.opt.spv -D OUTPUT=${spirv}.h -D NAME=kSpirv_${name}
+                -P ${PROJECT_SOURCE_DIR}/cmake/EmbedSpirv.cmake
+        DEPENDS ${spirv} ${PROJECT_SOURCE_DIR}/cmake/EmbedSpirv.cmake
+        COMMENT "Optimizing shader ${name}"
+        VERBATIM)
+    target_sources(${target} PRIVATE ${spirv}.h)
     target_include_directories(${target} PRIVATE ${CMAKE_BINARY_DIR}/generated)
 endfunction()
 
