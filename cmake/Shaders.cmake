@@ -10,6 +10,7 @@ function(dsphere_shader_variant target name shader)
     cmake_path(ABSOLUTE_PATH shader BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/shaders OUTPUT_VARIABLE source)
     set(folder ${CMAKE_BINARY_DIR}/generated/shaders)
     set(spirv ${folder}/${name}.spv)
+    set(flags ${PROJECT_SOURCE_DIR}/cmake/SpirvOptimization.flags)
     add_custom_command(
         OUTPUT ${spirv}
         COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
@@ -21,10 +22,10 @@ function(dsphere_shader_variant target name shader)
         VERBATIM)
     add_custom_command(
         OUTPUT ${spirv}.h
-        COMMAND ${SPIRV_OPT} --target-env=vulkan1.1 -O ${spirv} -o ${folder}/${name}.opt.spv
+        COMMAND ${SPIRV_OPT} --target-env=vulkan1.1 -Oconfig=${flags} ${spirv} -o ${folder}/${name}.opt.spv
         COMMAND ${CMAKE_COMMAND} -D INPUT=${folder}/${name}.opt.spv -D OUTPUT=${spirv}.h -D NAME=kSpirv_${name}
                 -P ${PROJECT_SOURCE_DIR}/cmake/EmbedSpirv.cmake
-        DEPENDS ${spirv} ${PROJECT_SOURCE_DIR}/cmake/EmbedSpirv.cmake
+        DEPENDS ${spirv} ${flags} ${PROJECT_SOURCE_DIR}/cmake/EmbedSpirv.cmake
         COMMENT "Optimizing shader ${name}"
         VERBATIM)
     target_sources(${target} PRIVATE ${spirv}.h)
