@@ -66,10 +66,10 @@ void readRows(InputFile& file, const Header& header, Use use) {
     std::vector<std::uint8_t> bytes(header.plain ? 0 : row.size() * std::size_t(header.sample_bytes));
     for (int j = 0; j < header.height; ++j) {
         readRow(file, header, bytes, row);
-        for (std::size_t k = 0; k < row.size(); ++k)
-            if (row[k] > header.maxval)
-                file.invalid("{}: the sample at column {}, row {} is over the maxval of {}", header.type,
-                             k / std::size_t(header.channels), j, header.maxval);
+        const auto over = std::ranges::find_if(row, [&](int sample) { return sample > header.maxval; });
+        if (over != row.end())
+            file.invalid("{}: the sample at column {}, row {} is over the maxval of {}", header.type,
+                         (over - row.begin()) / header.channels, j, header.maxval);
         use(j, row);
     }
 }
@@ -85,9 +85,12 @@ RawMap readPnm(InputFile& file) {
     map.type = header.type;
     readRows(file, header, [&](int j, const std::vector<int>& row) {
         if (j == 0) map.samples.reserve(std::size_t(header.width) * std::size_t(header.height));
-        for (std::size_t k = 0; k < row.size(); k += std::size_t(header.channels))
-            map.samples.push_back(header.channels == 1 ? float(row[k])
-                                                       : meanOf(float(row[k]), float(row[k + 1]), float(row[k + 2])));
+        if (header.channels == 1) {
+            map.samples.insert(map.samples.end(), row.begin(), row.end());
+            return;
+        }
+        for (std::size_t k = 0; k < row.size(); k += 3)
+            map.samples.push_back(meanOf(float(row[k]), float(row[k + 1]), float(row[k + 2])));
     });
     return map;
 }

@@ -5,9 +5,10 @@
 #include "surface/spline.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
-#include <functional>
+#include <limits>
 
 namespace dsphere {
 
@@ -44,11 +45,10 @@ Range squares(Range x) {
     return {low * low, high * high};
 }
 
-// A face around a pole, y = sign: longitude from the corners, or a whole turn when the cell holds the pole.
-Footprint polarFootprint(double sign, Range z, Range x) {
+// A cell of the face around the north pole: longitude from the corners, or a whole turn when the cell holds the pole.
+Footprint polarFootprint(Range z, Range x) {
     Range zz = squares(z), xx = squares(x);
-    double near = std::atan2(std::sqrt(zz.low + xx.low), sign), far = std::atan2(std::sqrt(zz.high + xx.high), sign);
-    Footprint box{{-kPi, kPi}, {std::min(near, far), std::max(near, far)}};
+    Footprint box{{-kPi, kPi}, {std::atan(std::sqrt(zz.low + xx.low)), std::atan(std::sqrt(zz.high + xx.high))}};
     if (zz.low == 0.0 && xx.low == 0.0) return box;
     double mid_x = 0.5 * (x.low + x.high), mid_z = 0.5 * (z.low + z.high);
     double middle = std::atan2(mid_x, mid_z);
@@ -62,83 +62,108 @@ Footprint polarFootprint(double sign, Range z, Range x) {
     return box;
 }
 
-// A face around the equator: its vertical edges are meridians, so the longitude range is exact; `across` is the
-// horizontal face coordinate, `longitude_0 + turn * atan(across)` its longitude, y the vertical one.
-Footprint sideFootprint(double longitude_0, double turn, const Side& across, Range y) {
-    double first = longitude_0 + turn * across.angle.low, last = longitude_0 + turn * across.angle.high;
-    Range squared = squares(across);
-    double near = std::sqrt(1.0 + squared.low), far = std::sqrt(1.0 + squared.high);
-    Footprint box;
-    box.longitude = {std::min(first, last), std::max(first, last)};
-    box.colatitude = {std::atan2(y.high > 0.0 ? near : far, y.high), std::atan2(y.low > 0.0 ? far : near, y.low)};
-    return box;
+// The same of a cell around the other pole.
+Footprint mirrored(const Footprint& box) {
+    return {box.longitude, {kPi - box.colatitude.high, kPi - box.colatitude.low}};
 }
 
-Footprint footprint(int face, const Side& a, const Side& b) {
-    bool negative = face % 2 == 1;
-    switch (face / 2) {
-        case 0:
-            return sideFootprint(negative ? -kPi / 2 : kPi / 2, negative ? 1.0 : -1.0, b, a);
-        case 1:
-            return polarFootprint(negative ? -1.0 : 1.0, a, b);
-        default:
-            return sideFootprint(negative ? kPi : 0.0, negative ? -1.0 : 1.0, a, b);
-    }
+// A cell of a face around the equator: its vertical edges are meridians, so the longitude range is exact; `across` is the
+// horizontal face coordinate, `longitude_0 + turn * atan(across)` its longitude.
+Range sideLongitude(double longitude_0, double turn, const Side& across) {
+    double first = longitude_0 + turn * across.angle.low, last = longitude_0 + turn * across.angle.high;
+    return {std::min(first, last), std::max(first, last)};
+}
+
+// The same on all four such faces; y is the vertical face coordinate.
+Range sideColatitude(Range across, Range y) {
+    Range squared = squares(across);
+    double near = std::sqrt(1.0 + squared.low), far = std::sqrt(1.0 + squared.high);
+    return {std::atan2(y.high > 0.0 ? near : far, y.high), std::atan2(y.low > 0.0 ? far : near, y.low)};
 }
 
 /// Rows of values at the nodes between which the surface of every cell lies: the nodes' own under bilinear patches, the
 /// extremes of the Bezier points about them under a spline.
 class Hull {
   public:
-    Hull(const NodeGrid& nodes, const Relief& relief) : nodes_(nodes) {
+    Hull(const NodeGrid& nodes, const Relief& relief)
+        : nodes_(nodes),
+          first_column_(nodes.column(0.0)),
+          columns_per_radian_(nodes.column(1.0) - first_column_),
+          first_row_(nodes.nodeRow(0.0)),
+          rows_per_radian_(nodes.nodeRow(1.0) - first_row_) {
         if (relief.filter == Filter::BSpline) extremes_ = SplineNodes(nodes).extremes(relief.scale >= 0.0);
     }
 
+    int width() const { return nodes_.width(); }
     const float* row(int j) const {
-        return extremes_.empty() ? nodes_.row(j) : &extremes_[std::size_t(j) * std::size_t(nodes_.width())];
+        return extremes_.empty() ? nodes_.row(j) : &extremes_[std::size_t(j) * std::size_t(width())];
+    }
+    /// Of the last node before a longitude, not yet wrapped.
+    int column(double longitude) const { return int(std::floor(first_column_ + longitude * columns_per_radian_)); }
+    /// Of the cell that holds a colatitude.
+    int cellRow(double colatitude) const {
+        return std::clamp(int(std::floor(first_row_ + colatitude * rows_per_radian_)), 0, nodes_.rows() - 1);
     }
 
   private:
     const NodeGrid& nodes_;
+    double first_column_, columns_per_radian_, first_row_, rows_per_radian_;
     std::vector<float> extremes_;
 };
 
+constexpr int kLanes = 8;
+
 // The greatest scale * value over all nodes of the patches that a footprint touches.
-double greatestDisplacement(const NodeGrid& nodes, const Hull& hull, double scale, const Footprint& box) {
-    int width = nodes.width();
-    int first = int(std::floor(nodes.column(box.longitude.low)));
-    int count = std::min(int(std::floor(nodes.column(box.longitude.high))) + 1 - first + 1, width);
-    first = (first % width + width) % width;
-    int top = std::clamp(int(std::floor(nodes.nodeRow(box.colatitude.low))), 0, nodes.rows() - 1);
-    int bottom = std::clamp(int(std::floor(nodes.nodeRow(box.colatitude.high))), 0, nodes.rows() - 1) + 1;
-    int before_seam = std::min(count, width - first);
-    float least = hull.row(top)[first], greatest = least;
-    auto scan = [&](const float* values, int n) {
-        for (int k = 0; k < n; ++k) {
-            least = std::min(least, values[k]);
-            greatest = std::max(greatest, values[k]);
+double greatestDisplacement(const Hull& hull, double scale, const Footprint& box) {
+    int width = hull.width();
+    int first = hull.column(box.longitude.low);
+    int count = std::min(hull.column(box.longitude.high) + 1 - first + 1, width);
+    first %= width;
+    if (first < 0) first += width;
+    int top = hull.cellRow(box.colatitude.low), bottom = hull.cellRow(box.colatitude.high) + 1;
+    const float sign = scale < 0.0 ? -1.0f : 1.0f;
+    float greatest = -std::numeric_limits<float>::infinity();
+    // Most footprints are a few nodes wide: whole lanes, without a branch a row, and at the end those that count.
+    if (count <= kLanes && first + kLanes <= width) {
+        std::array<float, kLanes> lanes;
+        lanes.fill(greatest);
+        for (int j = top; j <= bottom; ++j) {
+            const float* values = hull.row(j) + first;
+            for (int k = 0; k < kLanes; ++k) lanes[k] = std::max(lanes[k], sign * values[k]);
         }
-    };
-    for (int j = top; j <= bottom; ++j) {
-        const float* row = hull.row(j);
-        scan(row + first, before_seam);
-        scan(row, count - before_seam);
+        for (int k = 0; k < kLanes; ++k) greatest = k < count ? std::max(greatest, lanes[k]) : greatest;
+    } else {
+        int before_seam = std::min(count, width - first);
+        for (int j = top; j <= bottom; ++j) {
+            const float* row = hull.row(j);
+            for (int k = 0; k < before_seam; ++k) greatest = std::max(greatest, sign * row[first + k]);
+            for (int k = 0; k < count - before_seam; ++k) greatest = std::max(greatest, sign * row[k]);
+        }
     }
-    return std::max(scale * least, scale * greatest);
+    return scale * (sign * greatest);
 }
 
-/// The greatest stored value (times scale) over the cell of a cube face, dilated.
-using Greatest = std::function<double(const Footprint&)>;
-
-void fillFinestRow(Bounds& bounds, const Relief& relief, const Greatest& greatest, const std::vector<Side>& sides,
-                   int face, int j) {
-    const Side& b = sides[std::size_t(j)];
-    for (int i = 0; i < bounds.side; ++i) {
-        const Side& a = sides[std::size_t(i)];
-        double radius = relief.base + greatest(footprint(face, a, b));
+// A row of cells along a face's edge on each face: the footprints of a face serve the others, turned or mirrored.
+// `greatest(footprint)` is the greatest stored value, times scale.
+template <typename Greatest>
+void fillFinestRow(Bounds& bounds, const Relief& relief, const Greatest& greatest, const std::vector<Side>& sides, int n) {
+    const auto fill = [&](int face, int i, int j, const Footprint& box) {
+        double radius = relief.base + greatest(box);
         double bound = radius / relief.greatest_radius + Bounds::kSlack;
         bounds.squared[bounds.index(face, 0, i, j)] =
             std::nextafter(float(bound * bound), std::numeric_limits<float>::infinity());
+    };
+    const Side& fixed = sides[std::size_t(n)];
+    for (int k = 0; k < bounds.side; ++k) {
+        const Side& side = sides[std::size_t(k)];
+        const Footprint polar = polarFootprint(side, fixed);
+        fill(2, k, n, polar);
+        fill(3, k, n, mirrored(polar));
+        const Range colatitude = sideColatitude(side, fixed);
+        fill(0, n, k, {sideLongitude(kPi / 2, -1.0, side), colatitude});
+        fill(1, n, k, {sideLongitude(-kPi / 2, 1.0, side), colatitude});
+        fill(4, k, n, {sideLongitude(0.0, 1.0, side), colatitude});
+        fill(5, k, n, {sideLongitude(kPi, -1.0, side), colatitude});
     }
 }
 
@@ -173,18 +198,21 @@ Bounds buildBounds(const NodeGrid& nodes, const Relief& relief) {
     bounds.side = boundsSide(nodes.width());
     bounds.levels = std::bit_width(unsigned(bounds.side));
     bounds.squared.assign(std::size_t(bounds.side) * std::size_t(bounds.imageHeight()), 0.0f);
-    const Hull hull(nodes, relief);
-    Greatest greatest = [&](const Footprint& box) { return greatestDisplacement(nodes, hull, relief.scale, box); };
-    if (nodes.map().ripples)
-        greatest = [&](const Footprint& box) {
+    const std::vector<Side> sides = sidesOf(bounds.side);
+    const auto fillFinest = [&](const auto& greatest) {
+        parallelFor(std::size_t(bounds.side),
+                    [&](std::size_t n) { fillFinestRow(bounds, relief, greatest, sides, int(n)); });
+    };
+    if (nodes.map().ripples) {
+        fillFinest([&](const Footprint& box) {
             Interval h = rippleRange(nodes.map(), {box.longitude.low, box.longitude.high},
                                      {box.colatitude.low, box.colatitude.high});
             return std::max(relief.scale * h.low, relief.scale * h.high);
-        };
-    const std::vector<Side> sides = sidesOf(bounds.side);
-    parallelFor(std::size_t(6 * bounds.side), [&](std::size_t task) {
-        fillFinestRow(bounds, relief, greatest, sides, int(task) / bounds.side, int(task) % bounds.side);
-    });
+        });
+    } else {
+        const Hull hull(nodes, relief);
+        fillFinest([&](const Footprint& box) { return greatestDisplacement(hull, relief.scale, box); });
+    }
     parallelFor(6, [&](std::size_t face) { fillCoarser(bounds, int(face)); });
     return bounds;
 }
