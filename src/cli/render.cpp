@@ -224,9 +224,11 @@ int runRender(const RenderOptions& options) {
     std::future<void> compiling;
     try {
         opened.emplace(gpu::DeviceOptions{options.common.device, options.common.validation});
+        const SceneTraits traits = traitsOf(scene);
+        // Images of several layers, which pictures may come to, are another kind.
         if (method.marcher == Marcher::Exact)
-            compiling = std::async(std::launch::async, makeAhead, std::ref(*opened), traitsOf(scene), method,
-                                   aovs ? aovs : kColourPlanes);
+            compiling = std::async(std::launch::async, traits.images ? makeAhead : warmAhead, std::ref(*opened), traits,
+                                   method, aovs ? aovs : kColourPlanes);
     } catch (...) {
         reading.get();
         throw;
@@ -234,8 +236,8 @@ int runRender(const RenderOptions& options) {
     gpu::Device& device = *opened;
     SceneMaps maps = reading.get();
     PackedScene packed = packScene(scene, maps, options.detail > 0.0f ? Levels::All : Levels::Finest);
-    Renderer renderer(device, packed, scene, method);
     if (compiling.valid()) compiling.get();
+    Renderer renderer(device, packed, scene, method);
 
     const Origin origin = originOf(scene, maps, method, device.info());
     Earlier earlier;

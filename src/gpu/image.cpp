@@ -1,6 +1,7 @@
 #include "gpu/image.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cstring>
 
@@ -38,6 +39,13 @@ void checkSize(const Device& device, const VkImageCreateInfo& create, std::uint6
     checkLimit(create.extent.height, format.maxExtent.height, "the format's maxExtent.height", name);
     checkLimit(create.arrayLayers, format.maxArrayLayers, "the format's maxArrayLayers", name);
     checkLimit(bytes, format.maxResourceSize, "the format's maxResourceSize", name);
+}
+
+// Lavapipe compiles a shader once for images with sides that are powers of two, and once more for others. No side is one, so
+// that what was compiled for some images serves all.
+std::uint32_t unevenSide(std::uint32_t side, const Limits& limits) {
+    if (side == 1) return 3;
+    return std::has_single_bit(side) && side < limits.max_image_dimension_2d ? side + 1 : side;
 }
 
 VkImageCreateInfo imageInfo(Format format, std::uint32_t width, std::uint32_t height, std::uint32_t layers) {
@@ -105,7 +113,9 @@ StorageImage::StorageImage(Device& device, Format format, std::uint32_t width, s
     : device_(&device), format_(format), width_(width), height_(height), layers_(layers) {
     assert(width > 0 && height > 0 && layers > 0);
     const VolkDeviceTable& vk = device.vk();
-    const VkImageCreateInfo create = imageInfo(format, width, height, layers);
+    const Limits& limits = device.limits();
+    const VkImageCreateInfo create =
+        imageInfo(format, unevenSide(width, limits), unevenSide(height, limits), layers);
     // Each side is under 2^32, but the product need not fit 64 bits before the sides are checked: hence in double
     // first.
     const double bytes = double(width) * double(height) * double(layers) * texelBytes(format);

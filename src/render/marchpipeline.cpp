@@ -12,14 +12,9 @@
 
 namespace dsphere {
 
-namespace {
-
-/// Few invocations share their instructions; else there are invocations to spare.
 bool isNarrow(const gpu::Device& device) {
     return device.info().type == "CPU";
 }
-
-}  // namespace
 
 // For the steepest of the scene's maps; rounded down.
 float safeStride(const PackedScene& packed, const MarchMethod& method) {

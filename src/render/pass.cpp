@@ -1,6 +1,7 @@
 #include "render/pass.h"
 
 #include "gpu/device.h"
+#include "render/devicefilm.h"
 #include "shaders/render_baseline.spv.h"
 #include "shaders/render_baseline_curved.spv.h"
 #include "shaders/render_baseline_paths.spv.h"
@@ -56,23 +57,41 @@ const Variants kBaseline = {kSpirv_render_baseline, kSpirv_render_baseline_curve
 
 }  // namespace
 
-// Drivers take long over each, and can take both at once.
+// Drivers take long over each, and can take both at once. Those of CPUs leave most of the work for the first dispatch: the
+// first pipeline's is best begun as soon as possible, beside the other's translation.
 PassPipelines::PassPipelines(gpu::Device& device, const SceneTraits& traits, float stride, const MarchMethod& method,
                              std::uint32_t mask) {
-    const auto make = [&](const Variants& variants) {
+    const auto make = [&device, traits, stride, method, mask](const Variants& variants) {
         return makeMarchPipeline(device, traits, stride, variants.of(traits), Shader::Render, method, mask);
     };
     columns_ = GROUP_SIZE_X * turnsOf(device, traits, method);
     const bool exact = method.marcher == Marcher::Exact;
-    std::future<gpu::ComputePipeline> full;
-    if (exact && (traits.kinds & 1u << KIND_DISPLACED)) full = std::async(std::launch::async, make, std::cref(kFull));
+    const auto startFull = [&] {
+        if (exact && (traits.kinds & 1u << KIND_DISPLACED))
+            making_full_ = std::async(std::launch::async, make, std::cref(kFull));
+    };
+    if (!isNarrow(device)) startFull();
     first_ = make(exact ? kFilter : kBaseline);
-    if (full.valid()) full_ = full.get();
+    if (isNarrow(device)) startFull();
+}
+
+const gpu::ComputePipeline* PassPipelines::full() {
+    if (making_full_.valid()) full_ = making_full_.get();
+    return full_ ? &*full_ : nullptr;
 }
 
 void makeAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method, std::uint32_t mask) {
     assert(method.marcher == Marcher::Exact);
-    PassPipelines(device, traits, 1.0f, method, mask);
+    PassPipelines(device, traits, 1.0f, method, mask).full();
+}
+
+// Of a scene of nothing: a driver compiles for the kinds of what is bound, not for what is in it.
+void warmAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method, std::uint32_t mask) {
+    assert(method.marcher == Marcher::Exact);
+    PassPipelines pipelines(device, traits, 1.0f, method, mask);
+    const DeviceScene nothing(device, PackedScene());
+    const DeviceFilm film(device, 1, 1, mask);
+    Pass(device, pipelines, nothing, film.image());
 }
 
 Pass::Pass(gpu::Device& device, PassPipelines& pipelines, const DeviceScene& device_scene,
@@ -94,7 +113,10 @@ void Pass::warmUp() {
     };
     batch_.write(retry_list_, &kEmptyList, sizeof(kEmptyList));
     dispatchNothing(pipelines_.first());
-    if (pipelines_.full()) dispatchNothing(*pipelines_.full());
+    batch_.submit();
+    const gpu::ComputePipeline* full = pipelines_.full();
+    if (!full) return;
+    dispatchNothing(*full);
     batch_.submit();
 }
 
@@ -107,8 +129,8 @@ double Pass::run(std::span<const layout::RenderParams> tiles) {
         batch_.dispatch(groups(tile.tile_x1 - tile.tile_x, pipelines_.columns()),
                         groups(tile.tile_y1 - tile.tile_y, GROUP_SIZE_Y), 1);
     }
-    if (pipelines_.full()) {
-        batch_.bind(*pipelines_.full(), set_);
+    if (const gpu::ComputePipeline* full = pipelines_.full()) {
+        batch_.bind(*full, set_);
         batch_.push(tiles.front());
         batch_.dispatchIndirect(retry_list_);
     }

@@ -6,6 +6,7 @@
 #include "render/devicescene.h"
 #include "render/marchpipeline.h"
 
+#include <future>
 #include <optional>
 #include <span>
 
@@ -15,12 +16,13 @@ namespace dsphere {
 /// leaves; or MARCH_BASELINE, which leaves none, as a filter without a displaced sphere leaves none.
 class PassPipelines {
   public:
-    /// `stride`: safeStride().
+    /// `stride`: safeStride(). Returns once first() is made.
     PassPipelines(gpu::Device& device, const SceneTraits& traits, float stride, const MarchMethod& method,
                   std::uint32_t mask);
 
     const gpu::ComputePipeline& first() const { return *first_; }
-    const std::optional<gpu::ComputePipeline>& full() const { return full_; }
+    /// Null: there is none. Waits until it is made.
+    const gpu::ComputePipeline* full();
     /// Of pixels, that a workgroup of first() fills; GROUP_SIZE_Y rows.
     int columns() const { return columns_; }
 
@@ -30,12 +32,15 @@ class PassPipelines {
 
   private:
     std::optional<gpu::ComputePipeline> first_, full_;
+    std::future<gpu::ComputePipeline> making_full_;
     int columns_ = GROUP_SIZE_X;
 };
 
 /// Makes those of an exact marcher, all at once, for the device to find when they are asked for: on a thread of the
 /// caller's, while others use the device, and before the scene's maps are read.
 void makeAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method, std::uint32_t mask);
+/// The same, and has the driver compile all that it leaves for the first dispatch. Nobody else may use the device meanwhile.
+void warmAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method, std::uint32_t mask);
 
 /// One film, filled in two steps: tiles by the one pipeline, then the pixels that it left by the other.
 class Pass {
