@@ -2,8 +2,10 @@
 
 #include "gpu/device.h"
 #include "gpu/pipelinestore.h"
+#include "render/pass.h"
 
 #include <chrono>
+#include <future>
 
 namespace dsphere::bench {
 
@@ -147,8 +149,11 @@ Scene seenFrom(Scene scene, const View& view) {
 
 }  // namespace
 
+DeviceView::DeviceView(gpu::Device& device, Scene scene, PackedScene packed)
+    : scene_(std::move(scene)), packed_(std::move(packed)), renderer_(device, packed_, scene_, {}) {}
+
 DeviceView::DeviceView(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const View& view, Levels levels)
-    : scene_(seenFrom(scene, view)), packed_(packScene(scene_, maps, levels)), renderer_(device, packed_, scene_, {}) {}
+    : DeviceView(device, seenFrom(scene, view), packScene(seenFrom(scene, view), maps, levels)) {}
 
 void DeviceView::look(const View& view) {
     scene_.camera = view.camera;
@@ -172,9 +177,14 @@ double timeDeviceSetup(gpu::Device& device, const Workload& workload, const View
     bool smooth = method.engine == Engine::SmoothSphere;
     device.pipelineStore().clear();
     double start = wallSeconds();
-    SceneMaps none = noMaps();
-    DeviceView made(device, smooth ? smoothScene(workload) : workload.scene, smooth ? none : workload.maps, view,
-                    method.levels());
+    Scene scene = seenFrom(smooth ? smoothScene(workload) : workload.scene, view);
+    std::future<void> compiling;
+    if (method.march.marcher == Marcher::Exact)
+        compiling = std::async(std::launch::async, warmAhead, std::ref(device), traitsOf(scene), method.march, kPrimary);
+    const SceneMaps none = noMaps();
+    PackedScene packed = packScene(scene, smooth ? none : workload.maps, method.levels());
+    if (compiling.valid()) compiling.get();
+    DeviceView made(device, std::move(scene), std::move(packed));
     made.renderer().setMethod(method.march);
     made.renderer().renderPlanes(kPrimary, {});
     return wallSeconds() - start;

@@ -9,6 +9,8 @@ class DeviceView {
   public:
     DeviceView(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const View& view,
                Levels levels = Levels::Finest);
+    /// Of a scene packed already.
+    DeviceView(gpu::Device& device, Scene scene, PackedScene packed);
 
     void look(const View& view);
     Renderer& renderer() { return renderer_; }
@@ -29,7 +31,8 @@ std::unique_ptr<Contender> makeDeviceContender(DeviceView& view, const Method& m
 /// Of a scene with one plain shape.
 SceneMaps noMaps();
 
-/// From the map in memory to the first t on the host, wall seconds: nodes, bounds, upload, pipeline, film.
+/// From the map in memory to the first t on the host, wall seconds: nodes, bounds, upload, film, and beside the first two
+/// the pipelines, which must not be known to the device's caches: DeviceOptions::caches.
 double timeDeviceSetup(gpu::Device& device, const Workload& workload, const View& view, const Method& method);
 
 /// Seconds of a wall clock since some start.

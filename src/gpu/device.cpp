@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 
 #include "base/error.h"
 #include "gpu/instance.h"
@@ -19,10 +20,22 @@ std::vector<DeviceInfo> listDevices() {
     return infos;
 }
 
-Device::Device(const DeviceOptions& options)
-    : instance_(std::make_unique<Instance>(options.validation, options.presentation
-                                                                   ? options.presentation->instance_extensions
-                                                                   : std::vector<const char*>())) {
+namespace {
+
+// Drivers read the environment when they are loaded.
+std::unique_ptr<Instance> makeInstance(const DeviceOptions& options) {
+    if (!options.caches) {
+        setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+        setenv("__GL_SHADER_DISK_CACHE", "0", 0);
+    }
+    const std::vector<const char*> none;
+    return std::make_unique<Instance>(options.validation,
+                                      options.presentation ? options.presentation->instance_extensions : none);
+}
+
+}  // namespace
+
+Device::Device(const DeviceOptions& options) : instance_(makeInstance(options)) {
     std::vector<Candidate> candidates = describeDevices(*instance_);
     if (const Presentation* presentation = options.presentation) {
         surface_.instance = instance_->handle();
@@ -38,7 +51,7 @@ Device::Device(const DeviceOptions& options)
     vkGetPhysicalDeviceMemoryProperties(physical_, &memory_);
     readLimits();
     createDevice();
-    cache_ = std::make_unique<PipelineCache>(physical_, handle(), table_);
+    if (options.caches) cache_ = std::make_unique<PipelineCache>(physical_, handle(), table_);
     store_ = std::make_unique<PipelineStore>();
 }
 
@@ -123,7 +136,7 @@ double Device::timestampSeconds(std::uint64_t begin, std::uint64_t end) const {
 }
 
 VkPipelineCache Device::pipelineCache() const {
-    return cache_->handle();
+    return cache_ ? cache_->handle() : VK_NULL_HANDLE;
 }
 
 Handle<VkDeviceMemory> Device::allocate(const VkMemoryRequirements& need, VkMemoryPropertyFlags required,

@@ -47,6 +47,9 @@ struct DeviceOptions {
     bool validation = false;
     /// Unset: no window. It is used by the constructor alone.
     const Presentation* presentation = nullptr;
+    /// False: every pipeline is compiled anew, as on a machine that never ran it. Nothing is read or kept, and Mesa and
+    /// NVIDIA's driver are told so by their environment variables, where those are not set.
+    bool caches = true;
 };
 
 /// What resource creation is held to. Sizes are in bytes.
@@ -78,7 +81,7 @@ class Device {
   public:
     /// Error(NoDevice) when nothing matches, the match is unusable, or there is no loader; it lists what exists.
     explicit Device(const DeviceOptions& options = {});
-    /// Writes the pipeline cache. Validation messages that arrive from here on (leaks) go to stderr.
+    /// Writes the pipeline cache, if there is one. Validation messages that arrive from here on (leaks) go to stderr.
     ~Device();
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
@@ -100,6 +103,7 @@ class Device {
     VkQueue queue() const { return queue_; }
     std::uint32_t queueFamily() const { return queue_family_; }
     VkCommandPool commandPool() const { return command_pool_.get(); }
+    /// VK_NULL_HANDLE without DeviceOptions::caches.
     VkPipelineCache pipelineCache() const;
     PipelineStore& pipelineStore() { return *store_; }
     /// Empty without DeviceOptions::presentation, or where this device cannot present. The queue may be queue().
