@@ -78,6 +78,28 @@ TEST_F(SpansTest, CameraInsideOrClose) {
     expectAllInside(world("Translate 0 .5 2.9\nShape \"sphere\" \"float radius\" 1\n"));
 }
 
+// A sphere of radius 1 whose ground is `height` below the camera, which looks so many degrees down and is rolled.
+std::string groundBelow(double height, double down, double roll) {
+    const dvec3 eye(0.0, 0.5, 4.0), forward = glm::normalize(-eye), right = glm::normalize(glm::cross(forward, {0, 1, 0}));
+    const dvec3 up = glm::cross(right, forward);
+    const dvec3 below = std::sin(glm::radians(roll)) * right - std::cos(glm::radians(roll)) * up;
+    const dvec3 centre =
+        eye + (1.0 + height) * (std::cos(glm::radians(down)) * below + std::sin(glm::radians(down)) * forward);
+    return fmt::format("Translate {} {} {}\nShape \"sphere\" \"float radius\" 1\n", centre.x, centre.y, centre.z);
+}
+
+// The sky is left out, though lines through its pixels meet the sphere behind the camera.
+TEST_F(SpansTest, CloseAboveTheGround) {
+    for (double roll : {0.0, 20.0, 90.0, 200.0, 315.0})
+        for (double height : {0.001, 0.01, 0.1, 1.0})
+            for (double down : {-15.0, 0.0, 5.0, 30.0, 85.0}) {
+                SCOPED_TRACE(fmt::format("height {}, {} degrees down, roll {}", height, down, roll));
+                EXPECT_GT(expectAllInside(world(groundBelow(height, down, roll))), height < 0.1 ? 0.6 : 0.4);
+            }
+    const World away = world(groundBelow(0.01, -80.0, 0.0));
+    for (const Span& span : objectSpans(away.packed.objects, cropBox(away.scene.film))) EXPECT_TRUE(span.empty());
+}
+
 TEST_F(SpansTest, Crop) {
     expectAllInside(world(planet(), "\"float cropwindow\" [.4 .9 .2 .7]"));
 }
