@@ -6,9 +6,10 @@
 // a point's place in its cell in about as many, each by half an ulp below 1.
 const real kDoubt = real(4e-7);
 // A piece of a ray this long, as a share of its distance to the axis or the centre, has columns, rows and |p| that are
-// parabolas to 1e-7: the cubic's share is 0.008 of the cube, and near the axis the third derivative is 2.
-const real kPieceAcross = real(1.0 / 32.0);
-const real kPieceLength = real(0.02);
+// parabolas to 1e-7 R: a parabola through both ends and the middle is off by 0.008 of the third derivative, and the angle
+// about an axis has up to 2 of that over the cube of the distance.
+const real kPieceAcross = real(1.0 / 48.0);
+const real kPieceLength = real(1.0 / 64.0);
 // Closer to the axis than this every ray is in doubt.
 const real kAxisDoubt = real(2e-5);
 // Rounding of s between this walk and the other.
@@ -230,10 +231,10 @@ void filterLeaf(INOUT(Filtered) answer, INOUT(Cursor) at, const Ray ray, const M
     stroll.cell = piece.cell;
     stroll.corner = vec2(real(0));
     stroll.x = real(0);
-    stroll.going = !piece.doubtful;
+    stroll.going = true;
     stroll.hit = false;
     stroll.inside = false;
-    stroll.doubtful = piece.doubtful;
+    stroll.doubtful = false;
     stroll.low = real(0);
     stroll.high = real(1);
     stroll.quad = flatPatch();
@@ -242,14 +243,15 @@ void filterLeaf(INOUT(Filtered) answer, INOUT(Cursor) at, const Ray ray, const M
     stroll.longest = real(1);
 #endif
     bool may_be_inside = ray.may_start_inside && at.s <= ray.s_min;
-    while (stroll.going && answer.steps < kFilterSteps) {
+    while (answer.steps < kFilterSteps) {
         strollStep(stroll, piece, map, scale, may_be_inside);
         may_be_inside = false;
         answer.steps += 4;
+        if (!stroll.going || piece.doubtful) break;
     }
-    answer.hit = stroll.hit;
+    answer.hit = stroll.hit && !piece.doubtful;
     answer.inside = stroll.inside;
-    answer.doubtful = stroll.doubtful;
+    answer.doubtful = stroll.doubtful || piece.doubtful;
     answer.piece = piece;
     answer.stroll = stroll;
     at.s = piece.s_end;  // where a leaf is longer than the piece, the next step finds the rest of it
@@ -268,15 +270,16 @@ Filtered filterMarch(const Ray ray, const MapData map, const real base, const re
     real s_end;
     bool searching = startCursor(at, face, ray, map, shell_squared, s_end);
     real across_axis = acrossAxis(ray.d);
-    while (searching) {
+    while (searching && answer.steps < kFilterSteps) {
         if (at.turned) turnFace(at, face, ray);
         int face_row = faceRow(map, at.axis, at.sign_of_face);
-        while (!at.leaf && !at.turned && at.s < s_end && answer.steps < kFilterSteps) {
+        while (answer.steps < kFilterSteps) {
             traverseStep(at, face, face_row, ray, map, s_end);
             answer.steps += 1;
+            if (at.leaf || at.turned || !(at.s < s_end)) break;
         }
         if (at.leaf) filterLeaf(answer, at, ray, map, base, scale, across_axis);
-        searching = !answer.hit && !answer.doubtful && at.s < s_end && answer.steps < kFilterSteps;
+        if (answer.hit || answer.doubtful || !(at.s < s_end)) break;
     }
     answer.doubtful = answer.doubtful || answer.steps >= kFilterSteps;
 #ifdef WITH_CURVED

@@ -10,7 +10,11 @@ bool isLit(const SurfacePoint point, const LightData light, inout Searches searc
 uint visibleLights(const SurfacePoint point, inout Searches searches) {
     if (kLightCount == 1) return isLit(point, lights[0], searches) ? 1u : 0u;
     uint mask = 0u;
-    for (int k = 0; k < kLightCount; ++k) mask |= isLit(point, lights[k], searches) ? 1u << k : 0u;
+    if (kLightCount == 0) return mask;
+    int k = 0;
+    do {
+        mask |= isLit(point, lights[k], searches) ? 1u << k : 0u;
+    } while (++k < kLightCount);
     return mask;
 }
 

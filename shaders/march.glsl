@@ -139,6 +139,11 @@ bool startCursor(INOUT(Cursor) at, INOUT(FaceRay) face, const Ray ray, const Map
     return margin > real(0) && at.s < s_end;
 }
 
+// Loops whose turns differ from ray to ray here and elsewhere test their limit at the start and their end at the end. A test
+// for the end at the start would run the body once more on lavapipe, which goes on until no lane is left; and with a test
+// at the end alone lanes that left early would read what the body computes later (Mesa 22.3 masks what it keeps from turn
+// to turn, and what meets behind several exits, but no other values).
+//
 // Searches the whole ray; walk.hit, .inside, .frame and .sigma tell the answer, to be refined.
 Walk march(const Ray ray, const MapData map, const Pair base, const real scale, const real shell_squared) {
     Walk walk;
@@ -150,24 +155,26 @@ Walk march(const Ray ray, const MapData map, const Pair base, const real scale, 
     bool searching = startCursor(at, face, ray, map, shell_squared, s_end);
     int steps = 0;
     WalkPlan plan = planWalk(ray);
-    while (searching) {
+    while (searching && steps < MAX_STEPS) {
         if (at.turned) turnFace(at, face, ray);
         int face_row = faceRow(map, at.axis, at.sign_of_face);
         // Heavy code stays out of this loop: under masks every lane would pay for it at each step.
-        while (!at.leaf && !at.turned && at.s < s_end && steps < MAX_STEPS) {
+        while (steps < MAX_STEPS) {
             traverseStep(at, face, face_row, ray, map, s_end);
             steps += 1;
+            if (at.leaf || at.turned || !(at.s < s_end)) break;
         }
         if (at.leaf) {
             walk = startWalk(ray, map, plan, base, at.s, at.leaf_end);
-            while (walk.going && steps < MAX_STEPS) {
+            while (steps < MAX_STEPS) {
                 walkStep(walk, plan, ray, map, scale);
                 steps += 4;
+                if (!walk.going) break;
             }
             at.s = at.leaf_end;
             at.leaf = false;
         }
-        searching = !walk.hit && at.s < s_end && steps < MAX_STEPS;
+        if (walk.hit || !(at.s < s_end)) break;
     }
     walk.steps = steps;
     walk.exhausted = steps >= MAX_STEPS;

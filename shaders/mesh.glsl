@@ -60,7 +60,8 @@ ObjectHit hitMesh(const ObjectData object, const Ray ray) {
     ObjectHit hit = noHit();
     real nearest = ray.s_max;
     Shear shear = shearOf(ray.d);
-    for (int k = 0; k < object.triangle_count; ++k) {
+    int k = 0;
+    do {
         TriangleData triangle = triangles[object.first_triangle + k];
         TriangleHit meets = meetTriangle(triangle, shear, ray);
         bool after_start = ray.may_start_inside ? meets.s >= ray.s_min : meets.s > ray.s_min;
@@ -73,7 +74,7 @@ ObjectHit hitMesh(const ObjectData object, const Ray ray) {
             hit.uv = vec2(dot(meets.weights, vec3(triangle.a.w, triangle.b.w, triangle.c.w)),
                           dot(meets.weights, vec3(triangle.v)));
         }
-    }
+    } while (++k < object.triangle_count);
     hit.n = normalize(dot(hit.n, ray.d) > real(0) ? -hit.n : hit.n);
     return hit;
 }

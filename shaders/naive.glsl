@@ -58,8 +58,7 @@ ObjectHit hitNaive(const ObjectData object, const MapData map, const Ray ray) {
         if (margin <= real(0)) return hit;
         t = max(-sqrt(margin) - ray.s_min, real(0));
     }
-    bool going = true;
-    while (going && hit.steps < 4 * kNaiveSteps) {
+    while (hit.steps < 4 * kNaiveSteps) {
         vec3 p = origin + t * ray.d;
         real stride = naiveDistance(object, map, p);
         hit.steps += 4;
@@ -67,7 +66,7 @@ ObjectHit hitNaive(const ObjectData object, const MapData map, const Ray ray) {
         hit.p = p;
         hit.residual = stride;
         t += stride;
-        going = !hit.hit && stride <= give_up && ray.s_min + t < ray.s_max;
+        if (hit.hit || !(stride <= give_up && ray.s_min + t < ray.s_max)) break;
     }
     if (hit.hit) hit.n = naiveNormal(object, map, hit.p);
     return hit;
@@ -82,13 +81,14 @@ ObjectHit hitLipschitz(const ObjectData object, const MapData map, const Ray ray
     real s = max(-sqrt(margin), ray.s_min);
     real end = min(sqrt(margin), ray.s_max);
     bool going = s < end;
-    while (going && hit.steps < 4 * kLipschitzSteps) {
+    while (s < end && hit.steps < 4 * kLipschitzSteps) {
         hit.p = ray.c + s * ray.d;
         hit.residual = naiveDistance(object, map, hit.p);
         hit.steps += 4;
         hit.hit = hit.residual < real(kThreshold);
         s += real(kStride) * hit.residual;
         going = !hit.hit && s < end;
+        if (!going) break;
     }
     hit.exhausted = going;
     if (hit.hit) {

@@ -113,7 +113,8 @@ struct Departure {
 // What the hit, or the distance, sends back along the path.
 vec3 emitted(const SurfacePoint point, const vec3 direction, const Departure departure) {
     vec3 sum = vec3(0.0);
-    for (int k = 0; k < kLightCount; ++k) {
+    int k = 0;
+    do {
         LightData light = lights[k];
         bool is_surface = light.object >= 0;
         if (point.hit ? !(is_surface && light.object == point.object) : !isInfinite(light)) continue;
@@ -124,7 +125,7 @@ vec3 emitted(const SurfacePoint point, const vec3 direction, const Departure dep
             emission = infiniteEmission(light, departure.normal, direction);
         float rival = emission.density * (departure.from_camera_hit ? 1.0 : light.share);
         sum += emission.radiance * (departure.density > 0.0 ? powerWeight(departure.density, rival) : 1.0);
-    }
+    } while (++k < kLightCount);
     return sum;
 }
 
@@ -159,7 +160,8 @@ void gatherLights(inout Path path, const Vertex vertex, const Rules rules) {
     const int n = path.vertices;
     float draw = n == 0 ? 0.0 : numbersAt(path.numbers, n, kPairChoice).x;
     bool all = n == 0 || kDiffusePaths == 0;
-    int asked = all ? kLightCount : min(kLightCount, 1);
+    if (kLightCount == 0) return;
+    int asked = all ? kLightCount : 1;
     for (int i = 0; i < asked; ++i) {
         int k = all ? i : drawnLight(draw);
         vec2 u = numbersAt(path.numbers, n, kPairLights + uint(k));
@@ -167,6 +169,7 @@ void gatherLights(inout Path path, const Vertex vertex, const Rules rules) {
         vec3 light = lightThrough(vertex, k, u, all ? 1.0 : lights[k].share, rules, seen, path.result.searches);
         path.result.colour += path.throughput * light;
         if (n == 0 && seen) path.result.lit |= 1u << k;
+        if (i + 1 >= asked) break;
     }
 }
 

@@ -180,7 +180,7 @@ void main() {
     Path path = pathOf(task, sample_index);
     int steps = 0;
     int turn = 0;
-    for (int n = 0; n < kTasks * (kMaxDepth + 1) && turn < kTasks; ++n) {
+    for (int n = 0; n < kTasks * (kMaxDepth + 1); ++n) {
         if (path.going) {
             extendPath(path, rules);
             if (!path.going) {
@@ -197,6 +197,7 @@ void main() {
                 path.going = false;
             }
         }
+        if (turn == kTasks) break;
     }
 }
 #else

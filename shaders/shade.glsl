@@ -216,8 +216,12 @@ Candidates displacedNear(const vec3 start, const vec3 direction) {
     candidates.high = 0u;
     if (kOnlyDisplaced >= 0)
         addIfNear(candidates, kOnlyDisplaced, start, direction);
-    else
-        [[dont_unroll]] for (int k = 0; k < kObjectCount; ++k) addIfNear(candidates, k, start, direction);
+    else {
+        int k = 0;
+        [[dont_unroll]] do {
+            addIfNear(candidates, k, start, direction);
+        } while (++k < kObjectCount);
+    }
     return candidates;
 }
 
@@ -281,9 +285,16 @@ SurfacePoint nearestHit(const Segment segment) {
     Candidates candidates = displacedNear(segmentStart(segment), segmentDirection(segment));
     if (kOnlyPlain >= 0)
         considerObject(best, kOnlyPlain, segment, kPlain);
-    else if ((kKinds & kPlain) != 0)
-        [[dont_unroll]] for (int k = 0; k < kObjectCount; ++k) considerObject(best, k, segment, kPlain);
-    while (isLeft(candidates)) considerObject(best, takeFirst(candidates), segment, kDisplaced);
+    else if ((kKinds & kPlain) != 0) {
+        int k = 0;
+        [[dont_unroll]] do {
+            considerObject(best, k, segment, kPlain);
+        } while (++k < kObjectCount);
+    }
+    while (isLeft(candidates)) {
+        considerObject(best, takeFirst(candidates), segment, kDisplaced);
+        if (!isLeft(candidates)) break;
+    }
     return best;
 }
 
@@ -342,11 +353,17 @@ bool isShaded(const SurfacePoint point, const vec3 place, const bool ends, const
     bool shaded = false;
     if (kOnlyPlain >= 0)
         shaded = shades(kOnlyPlain, point, place, ends, kPlain, searches) && except != kOnlyPlain;
-    else if ((kKinds & kPlain) != 0)
-        [[dont_unroll]] for (int k = 0; k < kObjectCount && !shaded; ++k)
+    else if ((kKinds & kPlain) != 0) {
+        [[dont_unroll]] for (int k = 0; k < kObjectCount; ++k) {
             if (k != except) shaded = shades(k, point, place, ends, kPlain, searches);
+            if (shaded || k + 1 == kObjectCount) break;
+        }
+    }
     Candidates candidates = displacedNear(point.from_first, normalize(ends ? place - point.from_first : place));
-    while (!shaded && isLeft(candidates)) shaded = shades(takeFirst(candidates), point, place, ends, kDisplaced, searches);
+    while (!shaded && isLeft(candidates)) {
+        shaded = shades(takeFirst(candidates), point, place, ends, kDisplaced, searches);
+        if (shaded || !isLeft(candidates)) break;
+    }
     return shaded;
 }
 

@@ -180,7 +180,8 @@ double timeDeviceSetup(gpu::Device& device, const Workload& workload, const View
     Scene scene = seenFrom(smooth ? smoothScene(workload) : workload.scene, view);
     std::future<void> compiling;
     if (method.march.marcher == Marcher::Exact)
-        compiling = std::async(std::launch::async, warmAhead, std::ref(device), traitsOf(scene), method.march, kPrimary);
+        compiling =
+            std::async(std::launch::async, warmAhead, std::ref(device), traitsOf(scene), method.march, kPrimary);
     const SceneMaps none = noMaps();
     PackedScene packed = packScene(scene, smooth ? none : workload.maps, method.levels());
     if (compiling.valid()) compiling.get();

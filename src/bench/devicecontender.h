@@ -31,8 +31,8 @@ std::unique_ptr<Contender> makeDeviceContender(DeviceView& view, const Method& m
 /// Of a scene with one plain shape.
 SceneMaps noMaps();
 
-/// From the map in memory to the first t on the host, wall seconds: nodes, bounds, upload, film, and beside the first two
-/// the pipelines, which must not be known to the device's caches: DeviceOptions::caches.
+/// From the map in memory to the first t on the host, wall seconds: nodes, bounds, upload, film, and pipelines, the
+/// exact marcher's beside the first two. The device must have no caches: DeviceOptions::caches.
 double timeDeviceSetup(gpu::Device& device, const Workload& workload, const View& view, const Method& method);
 
 /// Seconds of a wall clock since some start.

@@ -127,7 +127,7 @@ int runBench(const BenchOptions& options) {
     if (load > 0.5 * std::thread::hardware_concurrency() && !options.common.quiet)
         fmt::print(stderr, "the machine is busy (load {:.1f}): speeds will be low and uneven\n", load);
     auto start = std::chrono::steady_clock::now();
-    // Set-up times are of a scene that no driver has seen.
+    // No caches: set-up times are of shaders that no driver has seen.
     gpu::Device device({.selector = options.common.device, .validation = options.common.validation, .caches = false});
     std::chrono::duration<double> opening = std::chrono::steady_clock::now() - start;
     bench::Results results;

@@ -48,7 +48,8 @@ struct DeviceOptions {
     /// Unset: no window. It is used by the constructor alone.
     const Presentation* presentation = nullptr;
     /// False: every pipeline is compiled anew, as on a machine that never ran it. Nothing is read or kept, and Mesa and
-    /// NVIDIA's driver are told so by their environment variables, where those are not set.
+    /// NVIDIA's driver are told so by their environment variables, where those are not set: for the rest of the
+    /// process, and for a driver that is not loaded yet.
     bool caches = true;
 };
 

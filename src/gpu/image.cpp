@@ -41,8 +41,8 @@ void checkSize(const Device& device, const VkImageCreateInfo& create, std::uint6
     checkLimit(bytes, format.maxResourceSize, "the format's maxResourceSize", name);
 }
 
-// Lavapipe compiles a shader once for images with sides that are powers of two, and once more for others. No side is one, so
-// that what was compiled for some images serves all.
+// Lavapipe compiles a shader once for images with sides that are powers of two, and once more for others. So no side is
+// one but the greatest there can be, and what was compiled for some images serves all.
 std::uint32_t unevenSide(std::uint32_t side, const Limits& limits) {
     if (side == 1) return 3;
     return std::has_single_bit(side) && side < limits.max_image_dimension_2d ? side + 1 : side;
@@ -114,11 +114,11 @@ StorageImage::StorageImage(Device& device, Format format, std::uint32_t width, s
     assert(width > 0 && height > 0 && layers > 0);
     const VolkDeviceTable& vk = device.vk();
     const Limits& limits = device.limits();
-    const VkImageCreateInfo create =
-        imageInfo(format, unevenSide(width, limits), unevenSide(height, limits), layers);
+    const VkImageCreateInfo create = imageInfo(format, unevenSide(width, limits), unevenSide(height, limits), layers);
     // Each side is under 2^32, but the product need not fit 64 bits before the sides are checked: hence in double
     // first.
-    const double bytes = double(width) * double(height) * double(layers) * texelBytes(format);
+    const double bytes =
+        double(create.extent.width) * double(create.extent.height) * double(layers) * texelBytes(format);
     checkSize(device, create, bytes < 1e18 ? std::uint64_t(bytes) : UINT64_MAX, name);
     VkImage image = VK_NULL_HANDLE;
     check(vk.vkCreateImage(device.handle(), &create, nullptr, &image), "vkCreateImage");

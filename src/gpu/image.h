@@ -21,7 +21,8 @@ enum class Format {
 std::uint32_t texelBytes(Format format);
 
 /// A 2D array storage image in device-local memory, always in VK_IMAGE_LAYOUT_GENERAL, bound as one image2DArray of all
-/// its layers. Transfers wait until they are done, in chunks of at most kStagingBytes.
+/// its layers; of sides a texel longer where they would be powers of two. Transfers wait until they are done, in chunks
+/// of at most kStagingBytes.
 class StorageImage {
   public:
     /// Sizes > 0. Contents are undefined. Error(Failure) beyond max_image_dimension_2d, max_image_array_layers or the

@@ -11,8 +11,8 @@ namespace dsphere {
 
 enum class Shader { Render, Probe };
 
-/// A CPU: few invocations share their instructions, and its driver makes machine code at the first dispatch; else there are
-/// invocations to spare.
+/// A CPU: few invocations share their instructions, and its driver makes machine code at the first dispatch; else there
+/// are invocations to spare.
 bool isNarrow(const gpu::Device& device);
 
 /// The share of |p| - r that no step of the Lipschitz marcher may exceed; 1 for the others.

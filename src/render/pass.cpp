@@ -57,8 +57,8 @@ const Variants kBaseline = {kSpirv_render_baseline, kSpirv_render_baseline_curve
 
 }  // namespace
 
-// Drivers take long over each, and can take both at once. Those of CPUs leave most of the work for the first dispatch: the
-// first pipeline's is best begun as soon as possible, beside the other's translation.
+// Drivers take long over each, and can take both at once. Those of CPUs leave most of the work for the first dispatch:
+// the first pipeline's is best begun as soon as possible, beside the other's translation.
 PassPipelines::PassPipelines(gpu::Device& device, const SceneTraits& traits, float stride, const MarchMethod& method,
                              std::uint32_t mask) {
     const auto make = [&device, traits, stride, method, mask](const Variants& variants) {
@@ -68,16 +68,11 @@ PassPipelines::PassPipelines(gpu::Device& device, const SceneTraits& traits, flo
     const bool exact = method.marcher == Marcher::Exact;
     const auto startFull = [&] {
         if (exact && (traits.kinds & 1u << KIND_DISPLACED))
-            making_full_ = std::async(std::launch::async, make, std::cref(kFull));
+            full_ = std::async(std::launch::async, make, std::cref(kFull)).share();
     };
     if (!isNarrow(device)) startFull();
     first_ = make(exact ? kFilter : kBaseline);
     if (isNarrow(device)) startFull();
-}
-
-const gpu::ComputePipeline* PassPipelines::full() {
-    if (making_full_.valid()) full_ = making_full_.get();
-    return full_ ? &*full_ : nullptr;
 }
 
 void makeAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method, std::uint32_t mask) {

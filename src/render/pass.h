@@ -21,8 +21,8 @@ class PassPipelines {
                   std::uint32_t mask);
 
     const gpu::ComputePipeline& first() const { return *first_; }
-    /// Null: there is none. Waits until it is made.
-    const gpu::ComputePipeline* full();
+    /// Null: there is none. Waits until it is made; throws what its making threw.
+    const gpu::ComputePipeline* full() const { return full_.valid() ? &full_.get() : nullptr; }
     /// Of pixels, that a workgroup of first() fills; GROUP_SIZE_Y rows.
     int columns() const { return columns_; }
 
@@ -31,15 +31,16 @@ class PassPipelines {
     double pixel_seconds = 0.0;
 
   private:
-    std::optional<gpu::ComputePipeline> first_, full_;
-    std::future<gpu::ComputePipeline> making_full_;
+    std::optional<gpu::ComputePipeline> first_;
+    std::shared_future<gpu::ComputePipeline> full_;  ///< without a state: there is none
     int columns_ = GROUP_SIZE_X;
 };
 
-/// Makes those of an exact marcher, all at once, for the device to find when they are asked for: on a thread of the
-/// caller's, while others use the device, and before the scene's maps are read.
+/// Makes those of an exact marcher for the device to find when they are asked for: on a thread of the caller's, while
+/// others use the device, and before the scene's maps are read.
 void makeAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method, std::uint32_t mask);
-/// The same, and has the driver compile all that it leaves for the first dispatch. Nobody else may use the device meanwhile.
+/// The same, and has the driver compile all that it leaves for the first dispatch. Nobody else may use the device
+/// meanwhile.
 void warmAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method, std::uint32_t mask);
 
 /// One film, filled in two steps: tiles by the one pipeline, then the pixels that it left by the other.

@@ -18,7 +18,8 @@ struct RowQuadratic {
     double a, b, c;
 };
 
-/// The cone of rays that pass an object's centre within k, as the camera's linear rays see it.
+/// The cone of rays that pass an object's centre within k, as the camera's linear rays see it: both nappes, or, of a
+/// pinhole outside the shell, the one ahead.
 class Cone {
   public:
     Cone(const layout::ObjectData& object, double reach)
@@ -46,7 +47,7 @@ class Cone {
         // From a point outside, the rays that meet the shell are those within an angle of its centre, and the pixels
         // beside them: a cone with one nappe, even close above the ground.
         double distance = glm::length(start_), turn = reach * (glm::length(dx_) + glm::length(dy_)) / plane;
-        bool one_start = glm::length(start_x) + glm::length(start_y) < 1e-10 * distance;
+        bool one_start = flat > 0.0 && glm::length(start_x) + glm::length(start_y) < 1e-10 * distance;
         if (!one_start || !(distance > shell) || !(turn < 1.0)) return;
         double angle = std::asin(shell / distance) + std::asin(turn);
         ahead_ = angle < 0.5 * kPi;
@@ -71,11 +72,11 @@ class Cone {
                 glm::dot(m, m) - kk * glm::dot(d, d)};
     }
 
-    /// False: a ray of the cone goes away from the centre. The line of a row meets each nappe in one piece, and they lie
-    /// far apart, so that any place of a piece tells.
+    /// False: a ray of the cone goes away from the centre. The line of a row meets each nappe in one piece, and they
+    /// lie far apart, so that any place of a piece tells.
     bool isAhead(double x, double y) const {
         dvec3 d = d0_ + y * dy_ + x * dx_;
-        return !ahead_ || glm::dot(start_, d) < 1e-6 * glm::length(start_) * glm::length(d);
+        return !ahead_ || !(glm::dot(start_, d) >= 1e-6 * glm::length(start_) * glm::length(d));
     }
 
     // Cuts [first, last) to the row's pixels. Written so that a NaN keeps the whole row.
@@ -89,13 +90,10 @@ class Cone {
             keepFrom((-q.b - root) / q.a, first);
             keepTo((-q.b + root) / q.a, last);
         } else if (ahead_ && q.a < 0.0) {
-            // The row's line runs along one nappe, or from one into the other.
-            if (discriminant < 0.0) {
-                if (!isAhead(0.0, y)) last = first;
-                return;
-            }
-            double sum = -(q.b + std::copysign(root, q.b));  // of roots that do not cancel
-            double one = sum / q.a, other = q.c / sum;
+            // The row's line runs from one nappe into the other.
+            if (discriminant < 0.0) return;                      // by rounding
+            double doubled = -(q.b + std::copysign(root, q.b));  // what does not cancel of a root, times a
+            double one = doubled / q.a, other = q.c / doubled;
             double left = std::min(one, other), right = std::max(one, other);
             bool left_ahead = isAhead(left - 1.0, y), right_ahead = isAhead(right + 1.0, y);
             if (left_ahead && right_ahead) return;

@@ -15,8 +15,9 @@ struct Span {
 };
 
 /// For each row of `box` (raster pixels) the span that holds every ray, up to `reach` pixels from a pixel's centre (0.5
-/// or more), that can come near an object; x counts from the box's left edge. All other pixels miss. On SIMD devices a
-/// group that misses costs almost what one that hits does, since loops run their body once under an empty mask.
+/// or more), that can come near an object on its way; x counts from the box's left edge. All other pixels miss. On SIMD
+/// devices a group that misses costs almost what one that hits does, since loops run their body once under an empty
+/// mask.
 std::vector<Span> objectSpans(const std::vector<layout::ObjectData>& objects, const Box& box, double reach = 0.5);
 
 }  // namespace dsphere

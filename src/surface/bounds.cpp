@@ -67,8 +67,8 @@ Footprint mirrored(const Footprint& box) {
     return {box.longitude, {kPi - box.colatitude.high, kPi - box.colatitude.low}};
 }
 
-// A cell of a face around the equator: its vertical edges are meridians, so the longitude range is exact; `across` is the
-// horizontal face coordinate, `longitude_0 + turn * atan(across)` its longitude.
+// A cell of a face around the equator: its vertical edges are meridians, so the longitude range is exact; `across` is
+// the horizontal face coordinate, `longitude_0 + turn * atan(across)` its longitude.
 Range sideLongitude(double longitude_0, double turn, const Side& across) {
     double first = longitude_0 + turn * across.angle.low, last = longitude_0 + turn * across.angle.high;
     return {std::min(first, last), std::max(first, last)};
@@ -146,7 +146,8 @@ double greatestDisplacement(const Hull& hull, double scale, const Footprint& box
 // A row of cells along a face's edge on each face: the footprints of a face serve the others, turned or mirrored.
 // `greatest(footprint)` is the greatest stored value, times scale.
 template <typename Greatest>
-void fillFinestRow(Bounds& bounds, const Relief& relief, const Greatest& greatest, const std::vector<Side>& sides, int n) {
+void fillFinestRow(Bounds& bounds, const Relief& relief, const Greatest& greatest, const std::vector<Side>& sides,
+                   int n) {
     const auto fill = [&](int face, int i, int j, const Footprint& box) {
         double radius = relief.base + greatest(box);
         double bound = radius / relief.greatest_radius + Bounds::kSlack;
@@ -189,8 +190,9 @@ std::size_t Bounds::index(int face, int level, int i, int j) const {
 }
 
 int boundsSide(int columns) {
-    // A face spans a quarter of the columns, so a finest cell spans about two cells of the map.
-    return std::min(int(std::bit_floor(unsigned(columns) / 8u)), 1024);
+    // A face spans a quarter of the columns, so a finest cell spans about four cells of the map; fewer of a coarse one,
+    // whose cells are large as they are.
+    return std::clamp(int(std::bit_floor(unsigned(columns) / 16u)), 64, 1024);
 }
 
 Bounds buildBounds(const NodeGrid& nodes, const Relief& relief) {

@@ -80,7 +80,8 @@ TEST_F(SpansTest, CameraInsideOrClose) {
 
 // A sphere of radius 1 whose ground is `height` below the camera, which looks so many degrees down and is rolled.
 std::string groundBelow(double height, double down, double roll) {
-    const dvec3 eye(0.0, 0.5, 4.0), forward = glm::normalize(-eye), right = glm::normalize(glm::cross(forward, {0, 1, 0}));
+    const dvec3 eye(0.0, 0.5, 4.0), forward = glm::normalize(-eye),
+                                    right = glm::normalize(glm::cross(forward, {0, 1, 0}));
     const dvec3 up = glm::cross(right, forward);
     const dvec3 below = std::sin(glm::radians(roll)) * right - std::cos(glm::radians(roll)) * up;
     const dvec3 centre =
@@ -98,6 +99,23 @@ TEST_F(SpansTest, CloseAboveTheGround) {
             }
     const World away = world(groundBelow(0.01, -80.0, 0.0));
     for (const Span& span : objectSpans(away.packed.objects, cropBox(away.scene.film))) EXPECT_TRUE(span.empty());
+}
+
+// Its rays have many starts, however far off it stands.
+TEST_F(SpansTest, Orthographic) {
+    for (double distance : {3.0, 1e4, 1e8}) {
+        SCOPED_TRACE(distance);
+        World far;
+        far.scene =
+            parseScene(fmt::format("LookAt 0 0 {} 0 0 0 0 1 0\nCamera \"orthographic\" \"float screenwindow\" "
+                                   "[-1.8 1.8 -1.013 1.013]\nFilm \"rgb\" \"integer xresolution\" 72 "
+                                   "\"integer yresolution\" 40\nWorldBegin\nShape \"sphere\" \"float radius\" 1\n",
+                                   distance),
+                       "world.pbrt", folder_.path());
+        far.maps = loadSceneMaps(far.scene);
+        far.packed = packScene(far.scene, far.maps);
+        EXPECT_GT(expectAllInside(far), 0.6);
+    }
 }
 
 TEST_F(SpansTest, Crop) {
