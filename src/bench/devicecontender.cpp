@@ -153,7 +153,7 @@ DeviceView::DeviceView(gpu::Device& device, Scene scene, PackedScene packed)
     : scene_(std::move(scene)), packed_(std::move(packed)), renderer_(device, packed_, scene_, {}) {}
 
 DeviceView::DeviceView(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const View& view, Levels levels)
-    : DeviceView(device, seenFrom(scene, view), packScene(seenFrom(scene, view), maps, levels)) {}
+    : scene_(seenFrom(scene, view)), packed_(packScene(scene_, maps, levels)), renderer_(device, packed_, scene_, {}) {}
 
 void DeviceView::look(const View& view) {
     scene_.camera = view.camera;
@@ -178,10 +178,7 @@ double timeDeviceSetup(gpu::Device& device, const Workload& workload, const View
     device.pipelineStore().clear();
     double start = wallSeconds();
     Scene scene = seenFrom(smooth ? smoothScene(workload) : workload.scene, view);
-    std::future<void> compiling;
-    if (method.march.marcher == Marcher::Exact)
-        compiling =
-            std::async(std::launch::async, warmAhead, std::ref(device), traitsOf(scene), method.march, kPrimary);
+    std::future<void> compiling = warmAhead(device, traitsOf(scene), method.march, kPrimary);
     const SceneMaps none = noMaps();
     PackedScene packed = packScene(scene, smooth ? none : workload.maps, method.levels());
     if (compiling.valid()) compiling.get();

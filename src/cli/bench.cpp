@@ -128,7 +128,7 @@ int runBench(const BenchOptions& options) {
         fmt::print(stderr, "the machine is busy (load {:.1f}): speeds will be low and uneven\n", load);
     auto start = std::chrono::steady_clock::now();
     // No caches: set-up times are of shaders that no driver has seen.
-    gpu::Device device({.selector = options.common.device, .validation = options.common.validation, .caches = false});
+    gpu::Device device = openDevice(options.common, false);
     std::chrono::duration<double> opening = std::chrono::steady_clock::now() - start;
     bench::Results results;
     {

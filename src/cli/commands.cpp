@@ -34,8 +34,8 @@ void checkWritable(const std::filesystem::path& path) {
         throwFailure("{}: exists and is not a regular file", path.string());
 }
 
-gpu::Device openDevice(const CommonOptions& options) {
-    return gpu::Device({options.device, options.validation});
+gpu::Device openDevice(const CommonOptions& options, bool caches) {
+    return gpu::Device({.selector = options.device, .validation = options.validation, .caches = caches});
 }
 
 void checkValidation(const gpu::Device& device) {

@@ -43,7 +43,7 @@ CLI::Option* addChoice(CLI::App& command, const std::string& name, T& value, con
 void checkWritable(const std::filesystem::path& path);
 
 /// The device that the options ask for.
-gpu::Device openDevice(const CommonOptions& options);
+gpu::Device openDevice(const CommonOptions& options, bool caches = true);
 
 /// Throws Error (Failure) with the messages if the validation layers had any.
 void checkValidation(const gpu::Device& device);

@@ -224,11 +224,7 @@ int runRender(const RenderOptions& options) {
     std::future<void> compiling;
     try {
         opened.emplace(gpu::DeviceOptions{options.common.device, options.common.validation});
-        const SceneTraits traits = traitsOf(scene);
-        // Images of several layers, which pictures may come to, are another kind.
-        if (method.marcher == Marcher::Exact)
-            compiling = std::async(std::launch::async, traits.images ? makeAhead : warmAhead, std::ref(*opened), traits,
-                                   method, aovs ? aovs : kColourPlanes);
+        compiling = warmAhead(*opened, traitsOf(scene), method, aovs ? aovs : kColourPlanes);
     } catch (...) {
         reading.get();
         throw;

@@ -44,8 +44,8 @@ void checkSize(const Device& device, const VkImageCreateInfo& create, std::uint6
 // Lavapipe compiles a shader once for images with sides that are powers of two, and once more for others. So no side is
 // one but the greatest there can be, and what was compiled for some images serves all.
 std::uint32_t unevenSide(std::uint32_t side, const Limits& limits) {
-    if (side == 1) return 3;
-    return std::has_single_bit(side) && side < limits.max_image_dimension_2d ? side + 1 : side;
+    while (std::has_single_bit(side) && side < limits.max_image_dimension_2d) ++side;
+    return side;
 }
 
 VkImageCreateInfo imageInfo(Format format, std::uint32_t width, std::uint32_t height, std::uint32_t layers) {

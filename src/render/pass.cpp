@@ -75,18 +75,24 @@ PassPipelines::PassPipelines(gpu::Device& device, const SceneTraits& traits, flo
     if (isNarrow(device)) startFull();
 }
 
-void makeAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method, std::uint32_t mask) {
-    assert(method.marcher == Marcher::Exact);
-    PassPipelines(device, traits, 1.0f, method, mask).full();
+std::future<void> makeAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method,
+                            std::uint32_t mask) {
+    if (method.marcher != Marcher::Exact) return {};
+    return std::async(std::launch::async,
+                      [&device, traits, method, mask] { PassPipelines(device, traits, 1.0f, method, mask).full(); });
 }
 
-// Of a scene of nothing: a driver compiles for the kinds of what is bound, not for what is in it.
-void warmAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method, std::uint32_t mask) {
-    assert(method.marcher == Marcher::Exact);
-    PassPipelines pipelines(device, traits, 1.0f, method, mask);
-    const DeviceScene nothing(device, PackedScene());
-    const DeviceFilm film(device, 1, 1, mask);
-    Pass(device, pipelines, nothing, film.image());
+// Of a scene of nothing: a driver compiles for the kinds of what is bound, not for what is in it. Images of several
+// layers, which pictures may come to, are another kind.
+std::future<void> warmAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method,
+                            std::uint32_t mask) {
+    if (method.marcher != Marcher::Exact || traits.images) return makeAhead(device, traits, method, mask);
+    return std::async(std::launch::async, [&device, traits, method, mask] {
+        PassPipelines pipelines(device, traits, 1.0f, method, mask);
+        const DeviceScene nothing(device, PackedScene());
+        const DeviceFilm film(device, 1, 1, mask);
+        Pass(device, pipelines, nothing, film.image());
+    });
 }
 
 Pass::Pass(gpu::Device& device, PassPipelines& pipelines, const DeviceScene& device_scene,

@@ -36,12 +36,15 @@ class PassPipelines {
     int columns_ = GROUP_SIZE_X;
 };
 
-/// Makes those of an exact marcher for the device to find when they are asked for: on a thread of the caller's, while
-/// others use the device, and before the scene's maps are read.
-void makeAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method, std::uint32_t mask);
-/// The same, and has the driver compile all that it leaves for the first dispatch. Nobody else may use the device
+/// Makes those of an exact marcher for the device to find when they are asked for: on a thread of their own, while
+/// others use the device, and before the scene's maps are read. The device must outlive the future, which has no state
+/// for a baseline: its stride may depend on the maps.
+std::future<void> makeAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method,
+                            std::uint32_t mask);
+/// The same, and has the driver compile what it leaves for the first dispatch. Nobody else may use the device
 /// meanwhile.
-void warmAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method, std::uint32_t mask);
+std::future<void> warmAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method,
+                            std::uint32_t mask);
 
 /// One film, filled in two steps: tiles by the one pipeline, then the pixels that it left by the other.
 class Pass {

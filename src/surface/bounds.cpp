@@ -85,12 +85,7 @@ Range sideColatitude(Range across, Range y) {
 /// extremes of the Bezier points about them under a spline.
 class Hull {
   public:
-    Hull(const NodeGrid& nodes, const Relief& relief)
-        : nodes_(nodes),
-          first_column_(nodes.column(0.0)),
-          columns_per_radian_(nodes.column(1.0) - first_column_),
-          first_row_(nodes.nodeRow(0.0)),
-          rows_per_radian_(nodes.nodeRow(1.0) - first_row_) {
+    Hull(const NodeGrid& nodes, const Relief& relief) : nodes_(nodes) {
         if (relief.filter == Filter::BSpline) extremes_ = SplineNodes(nodes).extremes(relief.scale >= 0.0);
     }
 
@@ -99,15 +94,14 @@ class Hull {
         return extremes_.empty() ? nodes_.row(j) : &extremes_[std::size_t(j) * std::size_t(width())];
     }
     /// Of the last node before a longitude, not yet wrapped.
-    int column(double longitude) const { return int(std::floor(first_column_ + longitude * columns_per_radian_)); }
+    int column(double longitude) const { return int(std::floor(nodes_.column(longitude))); }
     /// Of the cell that holds a colatitude.
     int cellRow(double colatitude) const {
-        return std::clamp(int(std::floor(first_row_ + colatitude * rows_per_radian_)), 0, nodes_.rows() - 1);
+        return std::clamp(int(std::floor(nodes_.nodeRow(colatitude))), 0, nodes_.rows() - 1);
     }
 
   private:
     const NodeGrid& nodes_;
-    double first_column_, columns_per_radian_, first_row_, rows_per_radian_;
     std::vector<float> extremes_;
 };
 
@@ -143,8 +137,8 @@ double greatestDisplacement(const Hull& hull, double scale, const Footprint& box
     return scale * (sign * greatest);
 }
 
-// A row of cells along a face's edge on each face: the footprints of a face serve the others, turned or mirrored.
-// `greatest(footprint)` is the greatest stored value, times scale.
+// A line of cells on each face, of one row or one column: the footprints of a face serve the others, turned or
+// mirrored. `greatest(footprint)` is the greatest stored value, times scale.
 template <typename Greatest>
 void fillFinestRow(Bounds& bounds, const Relief& relief, const Greatest& greatest, const std::vector<Side>& sides,
                    int n) {

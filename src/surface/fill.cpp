@@ -10,6 +10,7 @@ namespace {
 /// nodata alone stays (and counts as a whole).
 std::size_t fillRow(float* row, std::size_t width, const Nodata& nodata) {
     const auto known = [&](float stored) { return !nodata.is(stored); };
+    // Most rows have no gaps; what follows walks around the row texel by texel.
     if (std::all_of(row, row + width, known)) return 0;
     const auto first = std::size_t(std::find_if(row, row + width, known) - row);
     if (first == width) return width;

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <functional>
 
 namespace dsphere::viewer {
 
@@ -20,9 +19,7 @@ Stage::Stage(gpu::Device& device, std::unique_ptr<Document> document, const Marc
       document_(std::move(document)),
       renderer_(device, document_->packed, document_->scene, method),
       method_(method) {
-    if (method.marcher == Marcher::Exact)
-        translating_ = std::async(std::launch::async, makeAhead, std::ref(device_), document_->packed.traits,
-                                  withoutShadows(method_), planesOf(Show::Colour));
+    translating_ = makeAhead(device_, document_->packed.traits, withoutShadows(method_), planesOf(Show::Colour));
 }
 
 void Stage::setCamera(const Camera& camera, int width, int height) {
