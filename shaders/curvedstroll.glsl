@@ -37,7 +37,7 @@ bool fallsThrough(const Chord chord, const real band) {
 
 void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, const real scale,
                 const bool may_be_inside) {
-    Patch quad = fetchPatch(map, scale, stroll.cell);  // too much to carry along: filterMarch fetches the hit's again
+    Patch quad = fetchPatch(map, scale, stroll.cell);
     real height = rowHeight(map, stroll.cell.y);
     real rows_per_height = height < real(1) ? real(2) : real(1);
     real x = stroll.x;
@@ -53,9 +53,8 @@ void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, cons
     vec3 per_place = vec3(real(1), rows_per_height, real(1));
     vec2 steepness = vec2(piece.steepness.x, piece.steepness.y * rows_per_height);
     real band;
-    stroll.chord = curvedChord(quad, place * per_place, by * rate * per_place,
-                               (by * by) * piece.bend * per_place, steepness, band);
-    Chord chord = stroll.chord;
+    Chord chord = curvedChord(quad, place * per_place, by * rate * per_place, (by * by) * piece.bend * per_place,
+                              steepness, band);
     real wide = band + chord.miss;
     bool narrow = chord.miss <= kEnoughOfDoubt * band || by * piece.extent <= real(4) * kShortestChord;
 
@@ -67,8 +66,8 @@ void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, cons
     bool halve = !stroll.hit && !free && !narrow;
     stroll.doubtful = !stroll.hit && !free && narrow;
     stroll.going = halve || (free && by < real(1) - x);
-    stroll.low = x;
-    stroll.high = x + by;
+    stroll.by = by;
+    stroll.fall = vec3(chord.g, chord.slope, chord.bend);
     bvec2 leaves = bvec2(to_u.crosses && to_u.by <= by, to_v.crosses && to_v.by <= by);
     // The limit that was not too long is doubled, not the chord, which an edge may have cut to nothing.
     stroll.longest = halve ? real(0.5) * by : real(2) * stroll.longest;

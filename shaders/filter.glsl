@@ -119,16 +119,16 @@ real rowHeight(const MapData map, const int row) {
     return map.caps != 0 && isPoleRow(map, row) ? real(0.5) : real(1);
 }
 
-// State of the walk along a piece: at x, in `cell`, whose corner lies at `corner` in the piece's columns and rows.
+// State of the walk along a piece: at x, in `cell`, whose corner lies at `corner` in the piece's columns and rows. Where it
+// does not go on it stays at the last chord's start. Loops keep no more than they must: on lavapipe each value costs a
+// masked copy a turn.
 struct Stroll {
     ivec2 cell;
     vec2 corner;
     real x;
     bool going, hit, inside, doubtful;
-    // The last chord: x at its ends, and what it was solved with.
-    real low, high;
-    Patch quad;
-    Chord chord;
+    real by;   // the last chord's length in x
+    vec3 fall;  // its parabola: g, slope and bend
 #ifdef WITH_CURVED
     real longest;  // of the next chord, in x
 #endif
@@ -143,7 +143,7 @@ real gapAhead(const real place, const bool forward, const real size) {
 // On to the last chord's end, and over the edges that it `leaves` the cell by. `height`: the cell's, in rows.
 void strollOn(INOUT(Stroll) stroll, const MapData map, const bvec2 leaves, const bvec2 forward, const real height) {
     real below = forward.y ? height : -rowHeight(map, stroll.cell.y - 1);
-    stroll.x = stroll.high;
+    stroll.x += stroll.by;
     stroll.cell.x = wrapColumn(stroll.cell.x + (leaves.x ? (forward.x ? 1 : -1) : 0), map.width);
     stroll.corner.x += leaves.x ? (forward.x ? real(1) : real(-1)) : real(0);
     stroll.cell.y += leaves.y ? (forward.y ? 1 : -1) : 0;
@@ -205,10 +205,8 @@ void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, cons
     // Written so that any NaN is a doubt.
     stroll.doubtful = !stroll.hit && !(chord.lowest > band && chord.g > real(0));
     stroll.going = !stroll.hit && !stroll.doubtful && by < real(1) - x;
-    stroll.low = x;
-    stroll.high = x + by;
-    stroll.quad = quad;
-    stroll.chord = chord;
+    stroll.by = by;
+    stroll.fall = vec3(chord.g, chord.slope, chord.bend);
     bvec2 leaves = bvec2(to_u.crosses && to_u.by <= by, to_v.crosses && to_v.by <= by);
     if (stroll.going) strollOn(stroll, map, leaves, forward, height);
 }
@@ -219,8 +217,11 @@ void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, cons
 struct Filtered {
     bool hit, inside, doubtful;
     int steps;
-    Piece piece;
-    Stroll stroll;
+    real clear;  // s where the last piece starts
+    // The chord that holds the root: its cell, s where it starts, its length in s, its parabola.
+    ivec2 cell;
+    real low, extent;
+    vec3 fall;
 };
 
 // One leaf, or as much of it as one piece covers: the cursor is moved to its end.
@@ -235,25 +236,25 @@ void filterLeaf(INOUT(Filtered) answer, INOUT(Cursor) at, const Ray ray, const M
     stroll.hit = false;
     stroll.inside = false;
     stroll.doubtful = false;
-    stroll.low = real(0);
-    stroll.high = real(1);
-    stroll.quad = flatPatch();
-    stroll.chord = makeChord(real(0), real(0), real(0), real(0), real(0));
+    stroll.by = real(0);
+    stroll.fall = vec3(real(0));
 #ifdef WITH_CURVED
     stroll.longest = real(1);
 #endif
     bool may_be_inside = ray.may_start_inside && at.s <= ray.s_min;
     while (answer.steps < kFilterSteps) {
-        strollStep(stroll, piece, map, scale, may_be_inside);
-        may_be_inside = false;
+        strollStep(stroll, piece, map, scale, may_be_inside && stroll.x == real(0));
         answer.steps += 4;
         if (!stroll.going || piece.doubtful) break;
     }
     answer.hit = stroll.hit && !piece.doubtful;
     answer.inside = stroll.inside;
     answer.doubtful = stroll.doubtful || piece.doubtful;
-    answer.piece = piece;
-    answer.stroll = stroll;
+    answer.clear = piece.s;
+    answer.cell = stroll.cell;
+    answer.low = piece.s + stroll.x * piece.extent;
+    answer.extent = stroll.by * piece.extent;
+    answer.fall = stroll.fall;
     at.s = piece.s_end;  // where a leaf is longer than the piece, the next step finds the rest of it
     at.leaf = false;
 }
@@ -265,13 +266,18 @@ Filtered filterMarch(const Ray ray, const MapData map, const real base, const re
     answer.inside = false;
     answer.doubtful = false;
     answer.steps = 0;
+    answer.clear = -kInfinity;
+    answer.cell = ivec2(0);
+    answer.low = real(0);
+    answer.extent = real(0);
+    answer.fall = vec3(real(0));
     Cursor at;
-    FaceRay face;
     real s_end;
-    bool searching = startCursor(at, face, ray, map, shell_squared, s_end);
+    bool searching = startCursor(at, ray, map, shell_squared, s_end);
     real across_axis = acrossAxis(ray.d);
     while (searching && answer.steps < kFilterSteps) {
-        if (at.turned) turnFace(at, face, ray);
+        FaceRay face = faceRay(ray, at.axis, at.sign_of_face);
+        if (at.turned) findCell(at, face);
         int face_row = faceRow(map, at.axis, at.sign_of_face);
         while (answer.steps < kFilterSteps) {
             traverseStep(at, face, face_row, ray, map, s_end);
@@ -279,40 +285,37 @@ Filtered filterMarch(const Ray ray, const MapData map, const real base, const re
             if (at.leaf || at.turned || !(at.s < s_end)) break;
         }
         if (at.leaf) filterLeaf(answer, at, ray, map, base, scale, across_axis);
+        if (at.turned) turnFace(at, face);
         if (answer.hit || answer.doubtful || !(at.s < s_end)) break;
     }
     answer.doubtful = answer.doubtful || answer.steps >= kFilterSteps;
-#ifdef WITH_CURVED
-    answer.stroll.quad = fetchPatch(map, scale, answer.hit ? answer.stroll.cell : ivec2(0));
-#endif
     return answer;
 }
 
 // Up to this s nothing is met, for certain: pieces start where bounds or the piece before said so.
 real clearUntil(const Filtered answer) {
     bool cut_short = answer.steps >= kFilterSteps;
-    return cut_short ? -kInfinity : answer.piece.s - kClearMargin;
+    return cut_short ? -kInfinity : answer.clear - kClearMargin;
 }
 
-// A float point, and the true surface of the answer's cell seen from there.
-Crossing crossingAt(const vec3 p, const MapData map, const real base, const Filtered answer) {
+// A float point, and the true surface of the cell seen from there.
+Crossing crossingAt(const vec3 p, const MapData map, const real base, const ivec2 cell, const Corner corner,
+                    const Patch quad) {
     Crossing crossing;
     crossing.p = p;
-    Stroll stroll = answer.stroll;
-    Sight sight = sightOf(answer.piece.corner, map, p);
-    real rows_per_height = real(1) / rowHeight(map, stroll.cell.y);
-    crossing.at.fu = clamp(sight.columns - stroll.corner.x, real(0), real(1));
-    crossing.at.fv = clamp((sight.rows - stroll.corner.y) * rows_per_height, real(0), real(1));
-    crossing.at.g = (sight.radius - base) - patchValue(stroll.quad, crossing.at.fu, crossing.at.fv);
-    crossing.gradient = patchGradient(map, stroll.quad, crossing.at, stroll.cell.y, p);
+    Sight sight = sightOf(corner, map, p);
+    real rows_per_height = real(1) / rowHeight(map, cell.y);
+    crossing.at.fu = clamp(sight.columns, real(0), real(1));
+    crossing.at.fv = clamp(sight.rows * rows_per_height, real(0), real(1));
+    crossing.at.g = (sight.radius - base) - patchValue(quad, crossing.at.fu, crossing.at.fv);
+    crossing.gradient = patchGradient(map, quad, crossing.at, cell.y, p);
     return crossing;
 }
 
 // The same to 48 bits: the height ramp's colour of a steep map needs them.
-Crossing finalCrossing(const vec3 p, const MapData map, const Pair base, const Filtered answer) {
+Crossing finalCrossing(const vec3 p, const MapData map, const Pair base, const ivec2 cell, const Patch quad) {
     Crossing crossing;
     crossing.p = p;
-    ivec2 cell = answer.stroll.cell;
     vec4 west = splitEdge(edgesAt(cell.x, map.edges_y));
     vec4 north = splitEdge(edgesAt(cell.y, map.edges_y + 1));
     View view = viewFrom(west, north, base, makePair(p.x, real(0)), makePair(p.y, real(0)), makePair(p.z, real(0)));
@@ -320,25 +323,24 @@ Crossing finalCrossing(const vec3 p, const MapData map, const Pair base, const F
     real rows = atanSmall(view.slant.x / max(view.slant.y, kTiny)) * cellsPerRadianV(map, cell.y);
     crossing.at.fu = clamp(columns, real(0), real(1));
     crossing.at.fv = clamp(rows, real(0), real(1));
-    crossing.at.g = view.height - patchValue(answer.stroll.quad, crossing.at.fu, crossing.at.fv);
-    crossing.gradient = patchGradient(map, answer.stroll.quad, crossing.at, cell.y, p);
+    crossing.at.g = view.height - patchValue(quad, crossing.at.fu, crossing.at.fv);
+    crossing.gradient = patchGradient(map, quad, crossing.at, cell.y, p);
     return crossing;
 }
 
 // Two Newton steps on the true f at float points, the first with the parabola's slope: what is left is f's rounding. Points
 // move from each other, not along s, whose own rounding would come on top.
-Crossing filterRefine(const Ray ray, const MapData map, const Pair base, const Filtered answer) {
-    Stroll stroll = answer.stroll;
-    real low = answer.piece.s + stroll.low * answer.piece.extent;
-    real length_of_chord = (stroll.high - stroll.low) * answer.piece.extent;
-    real y = answer.inside ? real(0) : chordRoot(stroll.chord);
-    Crossing first = crossingAt(ray.c + (low + y * length_of_chord) * ray.d, map, base.hi, answer);
-    real fall = stroll.chord.slope + real(2) * y * stroll.chord.bend;
+Crossing filterRefine(const Ray ray, const MapData map, const Pair base, const real scale, const Filtered answer) {
+    Patch quad = fetchPatch(map, scale, answer.cell);
+    Corner corner = cornerOf(map, answer.cell);
+    real y = answer.inside ? real(0) : parabolaRoot(answer.fall);
+    Crossing first = crossingAt(ray.c + (answer.low + y * answer.extent) * ray.d, map, base.hi, answer.cell, corner, quad);
+    real fall = answer.fall.y + real(2) * y * answer.fall.z;
     real moved = answer.inside ? y : clamp(y - first.at.g / lesser(fall, -kTiny), real(0), real(1));
-    Crossing second = crossingAt(first.p + ((moved - y) * length_of_chord) * ray.d, map, base.hi, answer);
+    Crossing second = crossingAt(first.p + ((moved - y) * answer.extent) * ray.d, map, base.hi, answer.cell, corner, quad);
     real rate = dot(second.gradient, ray.d);
     bool steep = abs(rate) > real(1e-6) * length(second.gradient);
     real stride = steep && !answer.inside ? -second.at.g / rate : real(0);
-    stride = clamp(stride, -moved * length_of_chord, (real(1) - moved) * length_of_chord);
-    return finalCrossing(second.p + stride * ray.d, map, base, answer);
+    stride = clamp(stride, -moved * answer.extent, (real(1) - moved) * answer.extent);
+    return finalCrossing(second.p + stride * ray.d, map, base, answer.cell, quad);
 }

@@ -8,7 +8,7 @@ bool isLit(const SurfacePoint point, const LightData light, inout Searches searc
 }
 
 uint visibleLights(const SurfacePoint point, inout Searches searches) {
-    if (kLightCount == 1) return isLit(point, lights[0], searches) ? 1u : 0u;
+    if (kLightCount == 1) return isLit(point, only_light, searches) ? 1u : 0u;
     uint mask = 0u;
     if (kLightCount == 0) return mask;
     int k = 0;
@@ -31,7 +31,7 @@ vec3 lightFrom(const LightData light, const SurfacePoint point) {
 
 // Lambert: albedo / pi times the irradiance of the visible lights.
 vec3 directLight(const SurfacePoint point, const vec3 albedo, const uint lit) {
-    if (kLightCount == 1) return lit != 0u ? albedo * lightFrom(lights[0], point) / kPi : vec3(0.0);
+    if (kLightCount == 1) return lit != 0u ? albedo * lightFrom(only_light, point) / kPi : vec3(0.0);
     vec3 sum = vec3(0.0);
     for (int k = 0; k < kLightCount; ++k)
         if ((lit & (1u << k)) != 0u) sum += lightFrom(lights[k], point);

@@ -47,7 +47,8 @@ struct Cursor {
     int axis, side, i, j;
     real sign_of_face, width, s;  // width: of a cell, in face coordinates
     real leaf_end;                // set when a leaf is found: the ray is below the cell's bound on [s, leaf_end]
-    bool leaf, turned, across_a;  // turned: the face was left, over an edge of its first coordinate or its second
+    bool leaf;
+    bool turned, across_a;  // turned: to a face whose cell is not found yet, over an edge of its first coordinate or second
 };
 
 void chooseFace(INOUT(Cursor) at, const vec3 p) {
@@ -69,14 +70,12 @@ void findCell(INOUT(Cursor) at, const FaceRay face) {
     at.turned = false;
 }
 
-// Over the edge of a face to its neighbour.
-void turnFace(INOUT(Cursor) at, INOUT(FaceRay) face, const Ray ray) {
+// Over the edge of a face to its neighbour; findCell() is still to be called.
+void turnFace(INOUT(Cursor) at, const FaceRay face) {
     int next = at.axis == 2 ? 0 : at.axis + 1;
     int previous = at.axis == 0 ? 2 : at.axis - 1;
     at.axis = at.across_a ? next : previous;
     at.sign_of_face = (at.across_a ? face.a_grows : face.b_grows) ? real(1) : real(-1);
-    face = faceRay(ray, at.axis, at.sign_of_face);
-    findCell(at, face);
 }
 
 // One step: descend below a bound that the ray dips under, or leave the cell.
@@ -122,8 +121,7 @@ void traverseStep(INOUT(Cursor) at, const FaceRay face, const int face_row, cons
 
 // Puts the cursor where the ray enters the shell; false if it never does, or is NaN. s_end: where the ray leaves it. The
 // levels above the starting one would only be descended through; a ray that skims the ground climbs to them by itself.
-bool startCursor(INOUT(Cursor) at, INOUT(FaceRay) face, const Ray ray, const MapData map, const real shell_squared,
-                 INOUT(real) s_end) {
+bool startCursor(INOUT(Cursor) at, const Ray ray, const MapData map, const real shell_squared, INOUT(real) s_end) {
     real margin = shell_squared - ray.c2;
     real half_chord = sqrt(max(margin, real(0)));
     s_end = min(ray.s_max, half_chord);
@@ -134,8 +132,9 @@ bool startCursor(INOUT(Cursor) at, INOUT(FaceRay) face, const Ray ray, const Map
     at.leaf = false;
     at.across_a = false;
     at.leaf_end = s_end;
-    face = faceRay(ray, at.axis, at.sign_of_face);
-    findCell(at, face);
+    at.i = 0;
+    at.j = 0;
+    at.turned = true;
     return margin > real(0) && at.s < s_end;
 }
 
@@ -150,13 +149,13 @@ Walk march(const Ray ray, const MapData map, const Pair base, const real scale, 
     walk.hit = false;
     walk.inside = false;
     Cursor at;
-    FaceRay face;
     real s_end;
-    bool searching = startCursor(at, face, ray, map, shell_squared, s_end);
+    bool searching = startCursor(at, ray, map, shell_squared, s_end);
     int steps = 0;
     WalkPlan plan = planWalk(ray);
     while (searching && steps < MAX_STEPS) {
-        if (at.turned) turnFace(at, face, ray);
+        FaceRay face = faceRay(ray, at.axis, at.sign_of_face);
+        if (at.turned) findCell(at, face);
         int face_row = faceRow(map, at.axis, at.sign_of_face);
         // Heavy code stays out of this loop: under masks every lane would pay for it at each step.
         while (steps < MAX_STEPS) {
@@ -174,6 +173,7 @@ Walk march(const Ray ray, const MapData map, const Pair base, const real scale, 
             at.s = at.leaf_end;
             at.leaf = false;
         }
+        if (at.turned) turnFace(at, face);
         if (walk.hit || !(at.s < s_end)) break;
     }
     walk.steps = steps;

@@ -145,10 +145,10 @@ ObjectHit hitDisplacedFiltered(const ObjectData object, const MapData map, const
     hit.steps = answer.steps;
     hit.clear = clearUntil(answer);
     if (answer.hit) {
-        Crossing crossing = filterRefine(ray, map, basePair(object), answer);
-        takeCrossing(hit, map, ray, crossing, answer.stroll.cell);
+        Crossing crossing = filterRefine(ray, map, basePair(object), real(object.scale), answer);
+        takeCrossing(hit, map, ray, crossing, answer.cell);
 #ifdef WITH_CURVED
-        hit.shading_n = smoothNormal(object, map, crossing, answer.stroll.cell, hit.n);
+        hit.shading_n = smoothNormal(object, map, crossing, answer.cell, hit.n);
 #endif
     }
     return hit;

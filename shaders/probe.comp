@@ -9,6 +9,8 @@ layout(std430, binding = BINDING_FILM) readonly buffer Rays { ProbeRay rays[]; }
 layout(std430, binding = BINDING_HITS) writeonly buffer Hits { ProbeHit hits[]; };
 
 void main() {
+    ObjectData object = objects[0];  // before all else, see uniforms.glsl
+    MapData map = maps[0];
     uint index = gl_GlobalInvocationID.x;
     if (index >= uint(rays.length())) return;
     ProbeRay query = rays[index];
@@ -20,7 +22,7 @@ void main() {
     line.dy = makePair(query.direction.y, query.direction_lo.y);
     line.dz = makePair(query.direction.z, query.direction_lo.z);
     Ray ray = makeRay(line, query.point.w, query.direction.w, query.flags == 0u);
-    ObjectHit hit = hitObject(objects[0], maps[0], ray, ~0);
+    ObjectHit hit = hitObject(object, map, ray, ~0);
     ProbeHit answer;
     answer.position = vec4(hit.p, hit.hit ? dot(hit.p, ray.d) - ray.s_point : 0.0);
     answer.normal = vec4(hit.n, hit.residual);

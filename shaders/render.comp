@@ -6,8 +6,10 @@
 #include "resources.glsl"
 
 const uint kColourPlanes = 7u << PLANE_R;
+const bool kWantsColour = (kPlanes & kColourPlanes) != 0u;
 const bool kWantsLight = (kPlanes & (kColourPlanes | 7u << PLANE_ALBEDO_R | 1u << PLANE_LIT)) != 0u;
 
+#include "uniforms.glsl"
 #include "sample.glsl"
 #include "shade.glsl"
 #ifdef WITH_PATHS
@@ -26,7 +28,6 @@ layout(std430, binding = BINDING_RETRY) buffer Retry {
     RetryHead retry;
     RetryPixel retry_pixels[];
 };
-layout(push_constant) uniform Params { RenderParams params; };
 
 bool wants(const int plane) {
     return (kPlanes & (1u << plane)) != 0u;
@@ -113,7 +114,7 @@ Task findTask(const int n) {
     Task task;
     task.pixel = ivec2(params.tile_x, params.tile_y) + block * ivec2(GROUP_SIZE_X, GROUP_SIZE_Y) + within;
     task.clear = -kInfinity;
-    task.exists = task.pixel.x < params.tile_x1 && task.pixel.y < params.tile_y1;
+    task.exists = all(lessThan(task.pixel, ivec2(params.tile_x1, params.tile_y1)));
     return task;
 }
 #endif
@@ -139,11 +140,11 @@ void finish(const Task task, const Gathered gathered, const int sample_index) {
     putGeometry(task.pixel, gathered.point);
     put(task.pixel, PLANE_ALBEDO_R, gathered.albedo);
     put(task.pixel, PLANE_LIT, gathered.lit);
-    if ((kPlanes & kColourPlanes) != 0u)
+    if (kWantsColour)
         put(task.pixel, PLANE_R, sample_index > 0 ? storedColour(task.pixel) + gathered.colour : gathered.colour);
 }
 
-// Chosen by pixel, although it is the same for all: see onlyObject().
+// Chosen by pixel, although it is the same for all: see readUniforms().
 int sampleOf(const Task task) {
     return task.pixel.x >= 0 ? params.sample_index : 0;
 }
@@ -174,6 +175,7 @@ Path pathOf(const Task task, const int sample_index) {
 // ends, and they come out even. What an invocation that has had long searches has not begun goes to the retry: the group's
 // loops together have a limit of turns, see layout.h.
 void main() {
+    readUniforms();
     Task task = findTask(0);
     const int sample_index = sampleOf(task);
     Rules rules = rulesOf(sample_index);
@@ -202,12 +204,13 @@ void main() {
 }
 #else
 void main() {
+    readUniforms();
     Task task = findTask(0);
     if (!task.exists) return;
     const int sample_index = sampleOf(task);
     ivec2 raster = rasterOf(task);
     vec2 jitter = vec2(0.0);
-    if (sample_index >= 0) jitter = samplePosition(raster.x, raster.y, sample_index, params.seed);
+    if (kWantsColour && sample_index >= 0) jitter = samplePosition(raster.x, raster.y, sample_index, params.seed);
     Gathered result = nothingGathered();
     result.point = nearestHit(cameraSegment(vec2(raster), jitter, task.clear));
     result.searches.doubtful = result.point.doubtful;

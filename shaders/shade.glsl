@@ -73,17 +73,17 @@ int levelFor(const int k, const ObjectData object, const Ray ray) {
     return level;
 }
 
-// The only object, of those of the kinds meant, is read at a constant index: lavapipe reads a buffer once then, not lane
-// by lane. Whoever calls must have no branch that depends on what is read alone: the driver would compile the shader anew
-// for every dispatch, with these values set. So isKind() and its like ask the specialization constants first.
-int onlyObject(const int k, const int kinds) {
-    if (kObjectCount == 1) return 0;
-    if (kinds == kDisplaced && kOnlyDisplaced >= 0) return kOnlyDisplaced;
-    return kinds == kPlain && kOnlyPlain >= 0 ? kOnlyPlain : k;
+// Object k, one of the kinds meant.
+ObjectData objectOf(const int k, const int kinds) {
+    if (kObjectCount == 1 || (kinds == kDisplaced && kOnlyDisplaced >= 0)) return main_object;
+    if (kinds == kPlain && kOnlyPlain >= 0) return plain_object;
+    return objects[k];
 }
 
 MapData mapOf(const int k, const int kinds, const int level) {
-    return maps[level * MAX_OBJECTS + onlyObject(k, kinds)];
+    bool is_main = kObjectCount == 1 || (kinds == kDisplaced && kOnlyDisplaced >= 0);
+    if (is_main && kDetail <= 0.0) return main_map;
+    return maps[level * MAX_OBJECTS + (is_main ? kMainObject : k)];
 }
 
 // Where a ray starts: at the camera, through a place of the picture, or on a surface.
@@ -160,7 +160,7 @@ vec3 segmentDirection(const Segment segment) {
 #ifdef WITH_PATHS
     if (!segment.camera) return segment.direction;
 #endif
-    ObjectData object = objects[0];
+    ObjectData object = first_object;
     Ray ray = cameraRay(object, segment.raster - vec2(object.anchor_x, object.anchor_y), segment.jitter);
     return normalize(fromCentre(object, ray.d));
 }
@@ -170,7 +170,7 @@ vec3 segmentStart(const Segment segment) {
 #ifdef WITH_PATHS
     if (!segment.camera) return segment.from_first;
 #endif
-    ObjectData object = objects[0];
+    ObjectData object = first_object;
     vec2 pixel = segment.raster + segment.jitter - vec2(object.anchor_x, object.anchor_y);
     return pixel.x * object.start_x.xyz + pixel.y * object.start_y.xyz - object.from_start.xyz;
 }
@@ -195,7 +195,7 @@ int takeFirst(inout Candidates candidates) {
 
 // Whether a ray (start from object 0's centre, direction unit, world) may enter a sphere: never a false no, by a margin far
 // above what the ray's rounding comes to. Spheres of negative radius are never met: those of other objects, so that no
-// kind has to be asked for, see onlyObject().
+// kind has to be asked for, see readUniforms().
 bool mayMeet(const vec4 sphere, const vec3 start, const vec3 direction) {
     vec3 towards = sphere.xyz - start;
     float along = dot(towards, direction);
@@ -205,7 +205,7 @@ bool mayMeet(const vec4 sphere, const vec3 start, const vec3 direction) {
 }
 
 void addIfNear(inout Candidates candidates, const int k, const vec3 start, const vec3 direction) {
-    uint bit = mayMeet(objects[k].from_first, start, direction) ? 1u << (k & 31) : 0u;
+    uint bit = mayMeet(objectOf(k, kDisplaced).from_first, start, direction) ? 1u << (k & 31) : 0u;
     candidates.low |= k < 32 ? bit : 0u;
     candidates.high |= k < 32 ? 0u : bit;
 }
@@ -227,7 +227,7 @@ Candidates displacedNear(const vec3 start, const vec3 direction) {
 
 // Keeps object k's hit, if it is of the kinds meant, and the nearest so far.
 void considerObject(inout SurfacePoint best, const int k, const Segment segment, const int kinds) {
-    ObjectData object = objects[onlyObject(k, kinds)];
+    ObjectData object = objectOf(k, kinds);
     vec2 pixel = segment.raster - vec2(object.anchor_x, object.anchor_y);
     Ray ray = segmentRay(segment, k, object, pixel);
     int level = segmentLevel(segment, k, object, ray);
@@ -275,7 +275,7 @@ SurfacePoint nearestHit(const Segment segment) {
     best.steps = 0;
     best.level = 0;
     best.clear = -kInfinity;
-    best.ramp = -1;  // lest it be the object's alone: see onlyObject()
+    best.ramp = -1;  // lest it be the object's alone: see readUniforms()
     best.t = kInfinity;
     // Not even a loop of one turn is free: it stands between the driver and what it could do once.
     if (kObjectCount == 1) {
@@ -331,14 +331,14 @@ vec3 albedoOf(const SurfacePoint point) {
     int k = min(int(place), RAMP_POINTS - 2);
     int first = point.ramp * RAMP_POINTS + k;
     vec3 colour = mix(ramp_points[first].rgb, ramp_points[first + 1].rgb, place - float(k));
-    return min(colour * objects[point.object].texture_scale.rgb, vec3(1.0));
+    return min(colour * objectOf(point.object, ~0).texture_scale.rgb, vec3(1.0));
 }
 
 // Whether object k is between P' and a light: at `place`, seen from object 0's centre, if the ray `ends` there; in the
 // direction `place` if it goes on for ever.
 bool shades(const int k, const SurfacePoint point, const vec3 place, const bool ends, const int kinds,
             inout Searches searches) {
-    ObjectData object = objects[onlyObject(k, kinds)];
+    ObjectData object = objectOf(k, kinds);
     vec3 start = startFor(k, object, point.object, point.start);
     vec3 offset = ends ? objectFromWorldVector(object, place - object.from_first.xyz) - start
                        : objectFromWorldVector(object, place);

@@ -6,15 +6,6 @@
 struct Patch {
     real a, b, c, d;
 };
-
-Patch flatPatch() {
-    Patch quad;
-    quad.a = real(0);
-    quad.b = real(0);
-    quad.c = real(0);
-    quad.d = real(0);
-    return quad;
-}
 #endif
 
 // Where a point stands in a patch. g = |p| - r, positive outside.

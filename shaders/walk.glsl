@@ -140,9 +140,9 @@ Chord solveChord(const PatchPoint start, const PatchPoint middle, const PatchPoi
 }
 #endif
 
-// First root where g >= 0, as a share of the chord.
-real chordRoot(const Chord chord) {
-    return clamp(firstRoot(chord.g, chord.slope, chord.bend), real(0), real(1));
+// First root of a chord's parabola (g, slope, bend) where g >= 0, as a share of the chord.
+real parabolaRoot(const vec3 fall) {
+    return clamp(firstRoot(fall.x, fall.y, fall.z), real(0), real(1));
 }
 
 struct Walk {
@@ -209,7 +209,7 @@ void walkStep(INOUT(Walk) walk, const WalkPlan plan, const Ray ray, const MapDat
     walk.longest = halve ? real(0.5) * length_of_chord : real(2) * max(walk.longest, kShortestChord);
     walk.going = !walk.hit && (halve || far < walk.end);
     if (walk.hit) {
-        walk.sigma += starts_inside ? real(0) : chordRoot(chord) * length_of_chord;
+        walk.sigma += starts_inside ? real(0) : parabolaRoot(vec3(chord.g, chord.slope, chord.bend)) * length_of_chord;
     } else if (!halve) {
         walk.sigma = far;
         walk.first = false;

@@ -1,0 +1,26 @@
+// Uniform data at constant indices, which main() reads before all else. lavapipe (Mesa 22.3) reads a uniform once for all
+// lanes only where none can be masked: outside of every if and loop, and before any return. Elsewhere each lane fetches it,
+// some 28 instructions a float.
+// Whoever uses them must have no branch that depends on them alone: lavapipe would set their values into a copy of the
+// shader, and compile that, at worst for every dispatch. So isKind() and its like ask the specialization constants first.
+
+const int kMainObject = kObjectCount == 1 || kOnlyDisplaced < 0 ? 0 : kOnlyDisplaced;
+const int kPlainObject = kOnlyPlain < 0 ? 0 : kOnlyPlain;
+
+layout(push_constant) uniform Params { RenderParams pushed; };
+
+RenderParams params;
+ObjectData first_object;  // whose centre stands for the world's origin
+ObjectData main_object;   // the scene's only object, or the only displaced one
+MapData main_map;         // its, finest level
+ObjectData plain_object;  // the only one that is not displaced, if there are others
+LightData only_light;
+
+void readUniforms() {
+    params = pushed;
+    first_object = objects[0];
+    main_object = objects[kMainObject];
+    main_map = maps[kMainObject];
+    plain_object = objects[kPlainObject];
+    only_light = lights[0];
+}
