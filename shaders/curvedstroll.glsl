@@ -37,11 +37,11 @@ bool fallsThrough(const Chord chord, const real band) {
 
 void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, const real scale,
                 const bool may_be_inside) {
-    Patch quad = fetchPatch(map, scale, stroll.cell);
+    Patch quad = fetchPatch(map, scale, wrappedCell(stroll, map));
     real height = rowHeight(map, stroll.cell.y);
     real rows_per_height = height < real(1) ? real(2) : real(1);
     real x = stroll.x;
-    vec3 place = piece.start + x * (piece.slope + x * piece.bend) - vec3(stroll.corner, real(0));
+    vec3 place = piece.start + x * (piece.slope + x * piece.bend) - vec3(cornerPlace(stroll, piece, map), real(0));
     vec3 rate = piece.slope + (real(2) * x) * piece.bend;
     bvec2 forward = bvec2(rate.x > real(0), rate.y > real(0));
     Advance to_u = advanceTo(gapAhead(place.x, forward.x, real(1)), rate.x, piece.bend.x);
@@ -58,18 +58,17 @@ void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, cons
     real wide = band + chord.miss;
     bool narrow = chord.miss <= kEnoughOfDoubt * band || by * piece.extent <= real(4) * kShortestChord;
 
-    stroll.inside = may_be_inside && chord.g < -wide;
+    bool inside = may_be_inside && chord.g < -wide;
     bool falls = chord.g > real(0) && (fallsThrough(chord, wide) || (narrow && chord.lowest < -wide));
     // Written so that any NaN is a doubt.
     bool free = chord.lowest > wide && chord.g > real(0);
-    stroll.hit = stroll.inside || falls;
-    bool halve = !stroll.hit && !free && !narrow;
-    stroll.doubtful = !stroll.hit && !free && narrow;
-    stroll.going = halve || (free && by < real(1) - x);
+    bool halve = !inside && !falls && !free && !narrow;
+    bool goes_on = halve || by < real(1) - x;
+    stroll.verdict = inside ? kInside : (falls ? kHit : (!free && narrow ? kDoubtful : (goes_on ? kGoing : kFree)));
     stroll.by = by;
     stroll.fall = vec3(chord.g, chord.slope, chord.bend);
     bvec2 leaves = bvec2(to_u.crosses && to_u.by <= by, to_v.crosses && to_v.by <= by);
     // The limit that was not too long is doubled, not the chord, which an edge may have cut to nothing.
     stroll.longest = halve ? real(0.5) * by : real(2) * stroll.longest;
-    if (stroll.going && !halve) strollOn(stroll, map, leaves, forward, height);
+    if (stroll.verdict == kGoing && !halve) strollOn(stroll, leaves, forward);
 }

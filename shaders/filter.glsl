@@ -47,15 +47,25 @@ struct Sight {
 
 Sight sightOf(const Corner corner, const MapData map, const vec3 p) {
     Sight sight;
+    real rho2 = p.x * p.x + p.z * p.z;
+    sight.rho = sqrt(rho2);
+    sight.radius = sqrt(rho2 + p.y * p.y);
     real across = p.x * corner.west.y - p.z * corner.west.x;
     real along = p.x * corner.west.x + p.z * corner.west.y;
-    sight.rho = sqrt(across * across + along * along);
     real down = sight.rho * corner.north.y - p.y * corner.north.x;
     real toward = sight.rho * corner.north.x + p.y * corner.north.y;
-    sight.radius = sqrt(down * down + toward * toward);
     sight.columns = atanSmall(across / greater(along, kTiny)) * real(map.cells_per_radian_u);
     sight.rows = atanSmall(down / greater(toward, kTiny)) * real(map.cells_per_radian_v);
     return sight;
+}
+
+// Of a cell, in rows; and from the north pole to its north edge.
+real rowHeight(const MapData map, const int row) {
+    return map.caps != 0 && isPoleRow(map, row) ? real(0.5) : real(1);
+}
+
+real rowsBefore(const MapData map, const int row) {
+    return greater(real(row) - real(map.cap_shift), real(0));
 }
 
 // A part of a ray below a leaf: its place at x in [0, 1] is start + x (slope + x bend).
@@ -65,6 +75,7 @@ struct Piece {
     ivec2 cell;               // where it starts: the corner's
     real s, s_end, extent;    // extent = s_end - s
     vec2 steepness;           // slope of the surface per height difference of a cell, eastward and southward
+    real rows_before;  // of `cell`
     bool doubtful;
 };
 
@@ -79,6 +90,7 @@ Piece makePiece(const Ray ray, const MapData map, const real base, const real ac
     Piece piece;
     vec3 p = ray.c + s * ray.d;
     piece.cell = locateCell(map, p);
+    piece.rows_before = rowsBefore(map, piece.cell.y);
     piece.corner = cornerOf(map, piece.cell);
     Sight sight = sightOf(piece.corner, map, p);
     real longest = lesser(kPieceAcross * sight.rho / across_axis, kPieceLength * sight.radius);
@@ -115,18 +127,20 @@ Advance advanceTo(const real gap, const real rate, const real bend) {
     return advance;
 }
 
-real rowHeight(const MapData map, const int row) {
-    return map.caps != 0 && isPoleRow(map, row) ? real(0.5) : real(1);
-}
+// What is known of a ray so far.
+const int kGoing = 0;
+const int kFree = 1;  // to the end of what was asked
+const int kDoubtful = 2;
+const int kHit = 3;
+const int kInside = 4;  // a hit where it starts
 
-// State of the walk along a piece: at x, in `cell`, whose corner lies at `corner` in the piece's columns and rows. Where it
-// does not go on it stays at the last chord's start. Loops keep no more than they must: on lavapipe each value costs a
-// masked copy a turn.
+// State of the walk along a piece: at x, in `cell`, whose column may lie beyond the map's first or last. Where it does not
+// go on it stays at the last chord's start. Loops keep no more than they must: on lavapipe each value costs masked copies
+// a turn.
 struct Stroll {
     ivec2 cell;
-    vec2 corner;
     real x;
-    bool going, hit, inside, doubtful;
+    int verdict;
     real by;   // the last chord's length in x
     vec3 fall;  // its parabola: g, slope and bend
 #ifdef WITH_CURVED
@@ -140,14 +154,20 @@ real gapAhead(const real place, const bool forward, const real size) {
     return forward ? greater(size - place, real(0)) : lesser(-place, real(0));
 }
 
-// On to the last chord's end, and over the edges that it `leaves` the cell by. `height`: the cell's, in rows.
-void strollOn(INOUT(Stroll) stroll, const MapData map, const bvec2 leaves, const bvec2 forward, const real height) {
-    real below = forward.y ? height : -rowHeight(map, stroll.cell.y - 1);
+// Of the stroll's cell, in the piece's columns and rows.
+vec2 cornerPlace(const Stroll stroll, const Piece piece, const MapData map) {
+    return vec2(real(stroll.cell.x - piece.cell.x), rowsBefore(map, stroll.cell.y) - piece.rows_before);
+}
+
+ivec2 wrappedCell(const Stroll stroll, const MapData map) {
+    return ivec2(wrapColumn(stroll.cell.x, map.width), stroll.cell.y);
+}
+
+// On to the last chord's end, and over the edges that it `leaves` the cell by.
+void strollOn(INOUT(Stroll) stroll, const bvec2 leaves, const bvec2 forward) {
     stroll.x += stroll.by;
-    stroll.cell.x = wrapColumn(stroll.cell.x + (leaves.x ? (forward.x ? 1 : -1) : 0), map.width);
-    stroll.corner.x += leaves.x ? (forward.x ? real(1) : real(-1)) : real(0);
+    stroll.cell.x += leaves.x ? (forward.x ? 1 : -1) : 0;
     stroll.cell.y += leaves.y ? (forward.y ? 1 : -1) : 0;
-    stroll.corner.y += leaves.y ? below : real(0);
 }
 
 #ifdef WITH_CURVED
@@ -179,11 +199,13 @@ real steepestOn(const Patch quad, const vec3 start, const vec3 end, const vec2 s
 // Through one cell. `may_be_inside`: at the start of a camera's ray, which may lie inside the solid.
 void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, const real scale,
                 const bool may_be_inside) {
-    Patch quad = fetchPatch(map, scale, stroll.cell);
+    Patch quad = fetchPatch(map, scale, wrappedCell(stroll, map));
     real height = rowHeight(map, stroll.cell.y);
-    real rows_per_height = height < real(1) ? real(2) : real(1);
+    // Per row from here on, not per height of the cell: exact, since that is 1 or 1/2.
+    quad.c *= height < real(1) ? real(2) : real(1);
+    quad.d *= height < real(1) ? real(2) : real(1);
     real x = stroll.x;
-    vec3 place = piece.start + x * (piece.slope + x * piece.bend) - vec3(stroll.corner, real(0));
+    vec3 place = piece.start + x * (piece.slope + x * piece.bend) - vec3(cornerPlace(stroll, piece, map), real(0));
     vec3 rate = piece.slope + (real(2) * x) * piece.bend;
     bvec2 forward = bvec2(rate.x > real(0), rate.y > real(0));
     Advance to_u = advanceTo(gapAhead(place.x, forward.x, real(1)), rate.x, piece.bend.x);
@@ -192,23 +214,20 @@ void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, cons
     to_v.by = pole_edge && to_v.crosses ? kInfinity : to_v.by;
     real by = lesser(lesser(to_u.by, to_v.by), real(1) - x);
 
-    vec3 per_place = vec3(real(1), rows_per_height, real(1));
-    vec3 start = place * per_place;
-    vec3 slope = by * rate * per_place;
-    vec3 bend = (by * by) * piece.bend * per_place;
-    Chord chord = strollChord(quad, start, slope, bend);
-    vec2 steepness = vec2(piece.steepness.x, piece.steepness.y * rows_per_height);
-    real band = kDoubt * steepestOn(quad, start, start + slope + bend, steepness) + chord.miss;
+    vec3 slope = by * rate;
+    vec3 bend = (by * by) * piece.bend;
+    Chord chord = strollChord(quad, place, slope, bend);
+    real band = kDoubt * steepestOn(quad, place, place + slope + bend, piece.steepness) + chord.miss;
 
-    stroll.inside = may_be_inside && chord.g < -band;
-    stroll.hit = stroll.inside || (chord.lowest < -band && chord.g > real(0));
+    bool inside = may_be_inside && chord.g < -band;
+    bool falls = chord.lowest < -band && chord.g > real(0);
+    bool free = chord.lowest > band && chord.g > real(0);
     // Written so that any NaN is a doubt.
-    stroll.doubtful = !stroll.hit && !(chord.lowest > band && chord.g > real(0));
-    stroll.going = !stroll.hit && !stroll.doubtful && by < real(1) - x;
+    stroll.verdict = inside ? kInside : (falls ? kHit : (!free ? kDoubtful : (by < real(1) - x ? kGoing : kFree)));
     stroll.by = by;
     stroll.fall = vec3(chord.g, chord.slope, chord.bend);
     bvec2 leaves = bvec2(to_u.crosses && to_u.by <= by, to_v.crosses && to_v.by <= by);
-    if (stroll.going) strollOn(stroll, map, leaves, forward, height);
+    if (stroll.verdict == kGoing) strollOn(stroll, leaves, forward);
 }
 
 #endif
@@ -216,9 +235,8 @@ void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, cons
 // The answer in single floats; where it is doubtful the rest means nothing.
 struct Filtered {
     bool hit, inside, doubtful;
-    int steps;
-    real clear;  // s where the last piece starts
-    // The chord that holds the root: its cell, s where it starts, its length in s, its parabola.
+    int verdict, steps;
+    // The chord that holds the root or the doubt: its cell, s where it starts, its length in s, its parabola.
     ivec2 cell;
     real low, extent;
     vec3 fall;
@@ -230,12 +248,8 @@ void filterLeaf(INOUT(Filtered) answer, INOUT(Cursor) at, const Ray ray, const M
     Piece piece = makePiece(ray, map, base, across_axis, at.s, at.leaf_end);
     Stroll stroll;
     stroll.cell = piece.cell;
-    stroll.corner = vec2(real(0));
     stroll.x = real(0);
-    stroll.going = true;
-    stroll.hit = false;
-    stroll.inside = false;
-    stroll.doubtful = false;
+    stroll.verdict = kGoing;
     stroll.by = real(0);
     stroll.fall = vec3(real(0));
 #ifdef WITH_CURVED
@@ -245,14 +259,11 @@ void filterLeaf(INOUT(Filtered) answer, INOUT(Cursor) at, const Ray ray, const M
     while (answer.steps < kFilterSteps) {
         strollStep(stroll, piece, map, scale, may_be_inside && stroll.x == real(0));
         answer.steps += 4;
-        if (!stroll.going || piece.doubtful) break;
+        if (stroll.verdict != kGoing || piece.doubtful) break;
     }
-    answer.hit = stroll.hit && !piece.doubtful;
-    answer.inside = stroll.inside;
-    answer.doubtful = stroll.doubtful || piece.doubtful;
-    answer.clear = piece.s;
-    answer.cell = stroll.cell;
-    answer.low = piece.s + stroll.x * piece.extent;
+    answer.verdict = piece.doubtful ? kDoubtful : stroll.verdict;
+    answer.cell = wrappedCell(stroll, map);
+    answer.low = piece.s + (piece.doubtful ? real(0) : stroll.x * piece.extent);
     answer.extent = stroll.by * piece.extent;
     answer.fall = stroll.fall;
     at.s = piece.s_end;  // where a leaf is longer than the piece, the next step finds the rest of it
@@ -262,11 +273,8 @@ void filterLeaf(INOUT(Filtered) answer, INOUT(Cursor) at, const Ray ray, const M
 // Searches the whole ray in single floats.
 Filtered filterMarch(const Ray ray, const MapData map, const real base, const real scale, const real shell_squared) {
     Filtered answer;
-    answer.hit = false;
-    answer.inside = false;
-    answer.doubtful = false;
+    answer.verdict = kGoing;
     answer.steps = 0;
-    answer.clear = -kInfinity;
     answer.cell = ivec2(0);
     answer.low = real(0);
     answer.extent = real(0);
@@ -286,16 +294,18 @@ Filtered filterMarch(const Ray ray, const MapData map, const real base, const re
         }
         if (at.leaf) filterLeaf(answer, at, ray, map, base, scale, across_axis);
         if (at.turned) turnFace(at, face);
-        if (answer.hit || answer.doubtful || !(at.s < s_end)) break;
+        if (answer.verdict > kFree || !(at.s < s_end)) break;
     }
-    answer.doubtful = answer.doubtful || answer.steps >= kFilterSteps;
+    answer.hit = answer.verdict >= kHit;
+    answer.inside = answer.verdict == kInside;
+    answer.doubtful = answer.verdict == kDoubtful || answer.steps >= kFilterSteps;
     return answer;
 }
 
-// Up to this s nothing is met, for certain: pieces start where bounds or the piece before said so.
+// Up to this s nothing is met, for certain: bounds, or the chords before, said so.
 real clearUntil(const Filtered answer) {
     bool cut_short = answer.steps >= kFilterSteps;
-    return cut_short ? -kInfinity : answer.clear - kClearMargin;
+    return cut_short ? -kInfinity : answer.low - kClearMargin;
 }
 
 // A float point, and the true surface of the cell seen from there.

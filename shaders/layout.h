@@ -262,7 +262,7 @@ struct RenderParams {
 // RETRY_ROW workgroups: no device must take more than 65,535 in a row.
 #define RETRY_ROW 1024
 struct RetryHead {
-    uint groups_x, groups_y, groups_z, count;
+    uint groups[3], count;
 };
 
 // A pixel of the list: x and y in 16 bits each, and SurfacePoint::clear of its camera ray.

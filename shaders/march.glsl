@@ -4,10 +4,10 @@
 // and the resource functions faceRow(map, axis, sign) and boundAt(map, face_row, side, i, j).
 
 // A line in the gnomonic coordinates of one cube face: a = (ca + s da) / (cm + s dm), b likewise. Face axis k = 0, 1, 2
-// (+ sign), a on axis k + 1, b on axis k + 2.
+// (+ sign), a on axis k + 1, b on axis k + 2, each mirrored so that it grows along the line.
 struct FaceRay {
     real ca, cb, cm, da, db, dm;
-    bool a_grows, b_grows;
+    bool mirrors_a, mirrors_b;
 };
 
 real component(const vec3 v, const int axis) {
@@ -18,35 +18,37 @@ FaceRay faceRay(const Ray ray, const int axis, const real sign_of_face) {
     int axis_a = axis == 2 ? 0 : axis + 1;
     int axis_b = axis == 0 ? 2 : axis - 1;
     FaceRay face;
-    face.ca = component(ray.c, axis_a);
-    face.cb = component(ray.c, axis_b);
+    real ca = component(ray.c, axis_a);
+    real cb = component(ray.c, axis_b);
+    real da = component(ray.d, axis_a);
+    real db = component(ray.d, axis_b);
     face.cm = component(ray.c, axis) * sign_of_face;
-    face.da = component(ray.d, axis_a);
-    face.db = component(ray.d, axis_b);
     face.dm = component(ray.d, axis) * sign_of_face;
-    precise real turn_a = face.cm * face.da - face.ca * face.dm;
-    precise real turn_b = face.cm * face.db - face.cb * face.dm;
-    face.a_grows = turn_a > real(0);
-    face.b_grows = turn_b > real(0);
+    precise real turn_a = face.cm * da - ca * face.dm;
+    precise real turn_b = face.cm * db - cb * face.dm;
+    face.mirrors_a = !(turn_a > real(0));
+    face.mirrors_b = !(turn_b > real(0));
+    face.ca = face.mirrors_a ? -ca : ca;
+    face.da = face.mirrors_a ? -da : da;
+    face.cb = face.mirrors_b ? -cb : cb;
+    face.db = face.mirrors_b ? -db : db;
     return face;
 }
 
 // Where the line reaches face coordinate `edge` ahead of it, never before s; kInfinity if it never does: exactly when
-// the denominator has the sign against the direction of travel. (Here and below choices are spelled out: min and max
-// would cost a test for NaN more.)
-real edgeCrossing(const real edge, const real c_along, const real d_along, const real cm, const real dm,
-                  const bool grows, const real s) {
+// the denominator is not positive. (Here and below choices are spelled out: min and max would cost a test for NaN more.)
+real edgeCrossing(const real edge, const real c_along, const real d_along, const real cm, const real dm, const real s) {
     real rate = d_along - edge * dm;
-    bool reached = grows ? rate > real(0) : rate < real(0);
     real crossing = (edge * cm - c_along) / rate;
-    return reached ? (crossing > s ? crossing : s) : kInfinity;
+    return rate > real(0) ? (crossing > s ? crossing : s) : kInfinity;
 }
 
-// State of the traversal: a cell (i, j) of a level of a face, which has side x side cells, entered at s.
+// State of the traversal: a cell (i, j) of a level of a face, which has side x side cells, entered at s; counted along the
+// mirrored coordinates.
 struct Cursor {
     int axis, side, i, j;
     real sign_of_face, width, s;  // width: of a cell, in face coordinates
-    real leaf_end;                // set when a leaf is found: the ray is below the cell's bound on [s, leaf_end]
+    real leaf_end;                // of a leaf: the ray is below the cell's bound on [s, leaf_end]
     bool leaf;
     bool turned, across_a;  // turned: to a face whose cell is not found yet, over an edge of its first coordinate or second
 };
@@ -75,48 +77,51 @@ void turnFace(INOUT(Cursor) at, const FaceRay face) {
     int next = at.axis == 2 ? 0 : at.axis + 1;
     int previous = at.axis == 0 ? 2 : at.axis - 1;
     at.axis = at.across_a ? next : previous;
-    at.sign_of_face = (at.across_a ? face.a_grows : face.b_grows) ? real(1) : real(-1);
+    at.sign_of_face = (at.across_a ? face.mirrors_a : face.mirrors_b) ? real(-1) : real(1);
 }
 
-// One step: descend below a bound that the ray dips under, or leave the cell.
+// One step: descend below a bound that the ray dips under, or leave the cell. Choices instead of branches: under lavapipe's
+// masks what a branch assigns is copied once more.
 void traverseStep(INOUT(Cursor) at, const FaceRay face, const int face_row, const Ray ray, const MapData map,
                   const real s_end) {
-    real edge_a = real(face.a_grows ? at.i + 1 : at.i) * at.width - real(1);
-    real edge_b = real(face.b_grows ? at.j + 1 : at.j) * at.width - real(1);
-    real s_a = edgeCrossing(edge_a, face.ca, face.da, face.cm, face.dm, face.a_grows, at.s);
-    real s_b = edgeCrossing(edge_b, face.cb, face.db, face.cm, face.dm, face.b_grows, at.s);
+    real corner_a = real(at.i) * at.width - real(1);
+    real corner_b = real(at.j) * at.width - real(1);
+    real s_a = edgeCrossing(corner_a + at.width, face.ca, face.da, face.cm, face.dm, at.s);
+    real s_b = edgeCrossing(corner_b + at.width, face.cb, face.db, face.cm, face.dm, at.s);
     bool leaves_a = s_a <= s_b;
     real s_exit = leaves_a ? s_a : s_b;
-    real margin = boundAt(map, face_row, at.side, at.i, at.j) - ray.c2;  // s^2 below which the ray is under it
+    int last = at.side - 1;
+    real bound = boundAt(map, face_row, at.side, face.mirrors_a ? last - at.i : at.i, face.mirrors_b ? last - at.j : at.j);
+    real margin = bound - ray.c2;  // s^2 below which the ray is under it
     real half_chord = sqrt(max(margin, real(0)));
     // A leaf that was walked to its end is not entered again: s is where it ended.
-    bool below = margin > real(0) && at.s < half_chord && s_exit > -half_chord && at.s < s_exit;
-    if (below) {
-        at.s = at.s < -half_chord ? -half_chord : at.s;
-        at.leaf = at.side == map.bounds_side;
-        real exit = s_exit < half_chord ? s_exit : half_chord;
-        at.leaf_end = exit < s_end ? exit : s_end;
-        if (!at.leaf) {
-            real major = face.cm + at.s * face.dm;
-            real mid_a = (real(at.i) + real(0.5)) * at.width - real(1);
-            real mid_b = (real(at.j) + real(0.5)) * at.width - real(1);
-            at.i = 2 * at.i + (face.ca + at.s * face.da >= mid_a * major ? 1 : 0);
-            at.j = 2 * at.j + (face.cb + at.s * face.db >= mid_b * major ? 1 : 0);
-            at.side *= 2;
-            at.width *= real(0.5);
-        }
-    } else {
-        int i = at.i + (leaves_a ? (face.a_grows ? 1 : -1) : 0);
-        int j = at.j + (leaves_a ? 0 : (face.b_grows ? 1 : -1));
-        at.s = s_exit;
-        at.across_a = leaves_a;
-        at.turned = ((i | j) < 0) || i >= at.side || j >= at.side;
-        bool up = !at.turned && ((i ^ at.i) | (j ^ at.j)) > 1 && at.side > 1;
-        at.i = up ? i >> 1 : i;
-        at.j = up ? j >> 1 : j;
-        at.side = up ? at.side >> 1 : at.side;
-        at.width *= up ? real(2) : real(1);
-    }
+    bool below = margin > real(0) && at.s * abs(at.s) * real(1.0000003) < margin && -s_exit * abs(s_exit) < margin && at.s < s_exit;
+    bool finest = at.side == map.bounds_side;
+    bool down = below && !finest;
+
+    real entry = at.s < -half_chord ? -half_chord : at.s;
+    real half_width = real(0.5) * at.width;
+    real major = face.cm + entry * face.dm;
+    bool far_a = face.ca + entry * face.da >= (corner_a + half_width) * major;
+    bool far_b = face.cb + entry * face.db >= (corner_b + half_width) * major;
+
+    int i = at.i + (leaves_a ? 1 : 0);
+    int j = at.j + (leaves_a ? 0 : 1);
+    bool outside = (leaves_a ? i : j) > last;
+    bool up = !below && !outside && ((leaves_a ? i : j) & 1) == 0 && at.side > 1;
+
+    real exit = s_exit < half_chord ? s_exit : half_chord;
+    at.leaf = below && finest;
+    at.leaf_end = exit < s_end ? exit : s_end;
+    at.turned = outside && !below;
+    at.across_a = leaves_a;
+    at.s = below ? entry : s_exit;
+    int kept_i = below ? at.i : i;
+    int kept_j = below ? at.j : j;
+    at.i = down ? 2 * at.i + (far_a ? 1 : 0) : (up ? kept_i >> 1 : kept_i);
+    at.j = down ? 2 * at.j + (far_b ? 1 : 0) : (up ? kept_j >> 1 : kept_j);
+    at.side = down ? at.side << 1 : (up ? at.side >> 1 : at.side);
+    at.width = down ? half_width : (up ? real(2) * at.width : at.width);
 }
 
 // Puts the cursor where the ray enters the shell; false if it never does, or is NaN. s_end: where the ray leaves it. The

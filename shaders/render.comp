@@ -123,12 +123,10 @@ void leaveForRetry(const ivec2 pixel, const float clear) {
     uint place = atomicAdd(retry.count, 1u);
     retry_pixels[place].pixel = uint(pixel.x) | uint(pixel.y) << 16;
     retry_pixels[place].clear = clear;
-    if (place % kRetryGroup != 0u) return;
     uint group = place / kRetryGroup;
-    if (group < RETRY_ROW)
-        atomicAdd(retry.groups_x, 1u);
-    else if (group % RETRY_ROW == 0u)
-        atomicAdd(retry.groups_y, 1u);
+    bool opens_group = place % kRetryGroup == 0u;
+    bool in_first_row = group < RETRY_ROW;
+    if (opens_group && (in_first_row || group % RETRY_ROW == 0u)) atomicAdd(retry.groups[in_first_row ? 0 : 1], 1u);
 }
 
 // Film planes of a pixel whose ray, or another that it needs, is in doubt are left to the other precision.

@@ -28,7 +28,7 @@ std::uint32_t groups(int pixels, int group) {
     return std::uint32_t((pixels + group - 1) / group);
 }
 
-constexpr layout::RetryHead kEmptyList = {.groups_x = 0, .groups_y = 1, .groups_z = 1, .count = 0};
+constexpr layout::RetryHead kEmptyList = {.groups = {0, 1, 1}, .count = 0};
 
 std::uint64_t listBytes(const gpu::StorageImage& film) {
     std::uint64_t pixels = std::min(std::uint64_t(film.width()) * film.height(), Pass::kMostPixels);

@@ -72,7 +72,8 @@ Tally compare(const Planet& planet, const std::vector<Query>& queries) {
             glsl32::filterMarch(ray32, planet.map(), float(base), float(scale), planet.object().shell_squared);
         double s_filtered = 0.0;
         if (filtered.hit)
-            s_filtered = glm::dot(dvec3(glsl32::filterRefine(ray32, planet.map(), narrow(base), float(scale), filtered).p), d);
+            s_filtered =
+                glm::dot(dvec3(glsl32::filterRefine(ray32, planet.map(), narrow(base), float(scale), filtered).p), d);
         tally.doubtful += filtered.doubtful ? 1 : 0;
         tally.given_up += filtered.steps >= glsl32::kFilterSteps ? 1 : 0;
         tally.wrong_filter += filtered.doubtful || right(filtered.hit, s_filtered) ? 0 : 1;
