@@ -185,8 +185,9 @@ std::size_t Bounds::index(int face, int level, int i, int j) const {
 
 int boundsSide(int columns) {
     // A face spans a quarter of the columns, so a finest cell spans about four cells of the map; fewer of a coarse one,
-    // whose cells are large as they are.
-    return std::clamp(int(std::bit_floor(unsigned(columns) / 16u)), 64, 1024);
+    // whose cells are large as they are, and eight of a large one, whose bounds would leave the caches.
+    const unsigned columns_a_cell = columns < 8192 ? 16 : 32;
+    return std::clamp(int(std::bit_floor(unsigned(columns) / columns_a_cell)), 64, 1024);
 }
 
 Bounds buildBounds(const NodeGrid& nodes, const Relief& relief) {
