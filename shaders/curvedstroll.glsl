@@ -66,7 +66,7 @@ void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, cons
     bool goes_on = halve || by < real(1) - x;
     stroll.verdict = inside ? kInside : (falls ? kHit : (!free && narrow ? kDoubtful : (goes_on ? kGoing : kFree)));
     stroll.by = by;
-    stroll.fall = vec3(chord.g, chord.slope, chord.bend);
+    stroll.parabola = vec3(chord.g, chord.slope, chord.bend);
     bvec2 leaves = bvec2(to_u.crosses && to_u.by <= by, to_v.crosses && to_v.by <= by);
     // The limit that was not too long is doubled, not the chord, which an edge may have cut to nothing.
     stroll.longest = halve ? real(0.5) * by : real(2) * stroll.longest;

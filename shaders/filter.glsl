@@ -129,20 +129,20 @@ Advance advanceTo(const real gap, const real rate, const real bend) {
 
 // What is known of a ray so far.
 const int kGoing = 0;
-const int kFree = 1;  // to the end of what was asked
+const int kFree = 1;    // to the end of what was asked
 const int kDoubtful = 2;
 const int kHit = 3;
 const int kInside = 4;  // a hit where it starts
 
 // State of the walk along a piece: at x, in `cell`, whose column may lie beyond the map's first or last. Where it does not
-// go on it stays at the last chord's start. Loops keep no more than they must: on lavapipe each value costs masked copies
-// a turn.
+// go on, or halves a chord, it stays at the last chord's start. Loops keep no more than they must: on lavapipe each value
+// costs masked copies a turn.
 struct Stroll {
     ivec2 cell;
     real x;
     int verdict;
-    real by;   // the last chord's length in x
-    vec3 fall;  // its parabola: g, slope and bend
+    real by;        // the last chord's length in x
+    vec3 parabola;  // g, slope and bend of that chord
 #ifdef WITH_CURVED
     real longest;  // of the next chord, in x
 #endif
@@ -225,21 +225,21 @@ void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, cons
     // Written so that any NaN is a doubt.
     stroll.verdict = inside ? kInside : (falls ? kHit : (!free ? kDoubtful : (by < real(1) - x ? kGoing : kFree)));
     stroll.by = by;
-    stroll.fall = vec3(chord.g, chord.slope, chord.bend);
+    stroll.parabola = vec3(chord.g, chord.slope, chord.bend);
     bvec2 leaves = bvec2(to_u.crosses && to_u.by <= by, to_v.crosses && to_v.by <= by);
     if (stroll.verdict == kGoing) strollOn(stroll, leaves, forward);
 }
 
 #endif
 
-// The answer in single floats; where it is doubtful the rest means nothing.
+// The answer in single floats; where it is doubtful the chord alone means something.
 struct Filtered {
     bool hit, inside, doubtful;
     int verdict, steps;
     // The chord that holds the root or the doubt: its cell, s where it starts, its length in s, its parabola.
     ivec2 cell;
     real low, extent;
-    vec3 fall;
+    vec3 parabola;
 };
 
 // One leaf, or as much of it as one piece covers: the cursor is moved to its end.
@@ -251,7 +251,7 @@ void filterLeaf(INOUT(Filtered) answer, INOUT(Cursor) at, const Ray ray, const M
     stroll.x = real(0);
     stroll.verdict = kGoing;
     stroll.by = real(0);
-    stroll.fall = vec3(real(0));
+    stroll.parabola = vec3(real(0));
 #ifdef WITH_CURVED
     stroll.longest = real(1);
 #endif
@@ -265,7 +265,7 @@ void filterLeaf(INOUT(Filtered) answer, INOUT(Cursor) at, const Ray ray, const M
     answer.cell = wrappedCell(stroll, map);
     answer.low = piece.s + (piece.doubtful ? real(0) : stroll.x * piece.extent);
     answer.extent = stroll.by * piece.extent;
-    answer.fall = stroll.fall;
+    answer.parabola = stroll.parabola;
     at.s = piece.s_end;  // where a leaf is longer than the piece, the next step finds the rest of it
     at.leaf = false;
 }
@@ -278,7 +278,7 @@ Filtered filterMarch(const Ray ray, const MapData map, const real base, const re
     answer.cell = ivec2(0);
     answer.low = real(0);
     answer.extent = real(0);
-    answer.fall = vec3(real(0));
+    answer.parabola = vec3(real(0));
     Cursor at;
     real s_end;
     bool searching = startCursor(at, ray, map, shell_squared, s_end);
@@ -343,11 +343,13 @@ Crossing finalCrossing(const vec3 p, const MapData map, const Pair base, const i
 Crossing filterRefine(const Ray ray, const MapData map, const Pair base, const real scale, const Filtered answer) {
     Patch quad = fetchPatch(map, scale, answer.cell);
     Corner corner = cornerOf(map, answer.cell);
-    real y = answer.inside ? real(0) : parabolaRoot(answer.fall);
-    Crossing first = crossingAt(ray.c + (answer.low + y * answer.extent) * ray.d, map, base.hi, answer.cell, corner, quad);
-    real fall = answer.fall.y + real(2) * y * answer.fall.z;
+    real y = answer.inside ? real(0) : parabolaRoot(answer.parabola);
+    vec3 p = ray.c + (answer.low + y * answer.extent) * ray.d;
+    Crossing first = crossingAt(p, map, base.hi, answer.cell, corner, quad);
+    real fall = answer.parabola.y + real(2) * y * answer.parabola.z;
     real moved = answer.inside ? y : clamp(y - first.at.g / lesser(fall, -kTiny), real(0), real(1));
-    Crossing second = crossingAt(first.p + ((moved - y) * answer.extent) * ray.d, map, base.hi, answer.cell, corner, quad);
+    p += ((moved - y) * answer.extent) * ray.d;
+    Crossing second = crossingAt(p, map, base.hi, answer.cell, corner, quad);
     real rate = dot(second.gradient, ray.d);
     bool steep = abs(rate) > real(1e-6) * length(second.gradient);
     real stride = steep && !answer.inside ? -second.at.g / rate : real(0);

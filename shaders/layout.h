@@ -1,6 +1,6 @@
 // What the host writes and the shaders read, once for both: structs, bindings, group size, film planes.
 // Structs hold only 4-byte scalars and 16-byte aligned vec4s and are multiples of 16 bytes long, so that std140, std430
-// and C++ agree; the host asserts it.
+// and C++ agree; the host asserts it. (RetryHead, of a storage buffer alone, has an array.)
 // Object space is scaled so that the surface's greatest radius is 1 ("units of R").
 #ifndef DSPHERE_LAYOUT_H
 #define DSPHERE_LAYOUT_H

@@ -3,6 +3,11 @@
 // cells there and finds the first root along each chord; refine polishes it. Object space, units of R. Expects walk.glsl
 // and the resource functions faceRow(map, axis, sign) and boundAt(map, face_row, side, i, j).
 
+// Loops whose turns differ from ray to ray here and elsewhere test their limit at the start and their end at the end. A test
+// for the end at the start would run the body once more on lavapipe, which goes on until no lane is left; and with a test
+// at the end alone lanes that left early would read what the body computes later (Mesa 22.3 masks what it keeps from turn
+// to turn, and what meets behind several exits, but no other values).
+
 // A line in the gnomonic coordinates of one cube face: a = (ca + s da) / (cm + s dm), b likewise. Face axis k = 0, 1, 2
 // (+ sign), a on axis k + 1, b on axis k + 2, each mirrored so that it grows along the line.
 struct FaceRay {
@@ -91,11 +96,12 @@ void traverseStep(INOUT(Cursor) at, const FaceRay face, const int face_row, cons
     bool leaves_a = s_a <= s_b;
     real s_exit = leaves_a ? s_a : s_b;
     int last = at.side - 1;
-    real bound = boundAt(map, face_row, at.side, face.mirrors_a ? last - at.i : at.i, face.mirrors_b ? last - at.j : at.j);
-    real margin = bound - ray.c2;  // s^2 below which the ray is under it
+    int column = face.mirrors_a ? last - at.i : at.i;
+    int row = face.mirrors_b ? last - at.j : at.j;
+    real margin = boundAt(map, face_row, at.side, column, row) - ray.c2;  // s^2 below which the ray is under it
     real half_chord = sqrt(max(margin, real(0)));
     // A leaf that was walked to its end is not entered again: s is where it ended.
-    bool below = margin > real(0) && at.s * abs(at.s) * real(1.0000003) < margin && -s_exit * abs(s_exit) < margin && at.s < s_exit;
+    bool below = margin > real(0) && at.s < half_chord && s_exit > -half_chord && at.s < s_exit;
     bool finest = at.side == map.bounds_side;
     bool down = below && !finest;
 
@@ -111,7 +117,7 @@ void traverseStep(INOUT(Cursor) at, const FaceRay face, const int face_row, cons
     bool up = !below && !outside && ((leaves_a ? i : j) & 1) == 0 && at.side > 1;
 
     real exit = s_exit < half_chord ? s_exit : half_chord;
-    at.leaf = below && finest;
+    at.leaf = below && finest && entry < s_end;
     at.leaf_end = exit < s_end ? exit : s_end;
     at.turned = outside && !below;
     at.across_a = leaves_a;
@@ -143,11 +149,6 @@ bool startCursor(INOUT(Cursor) at, const Ray ray, const MapData map, const real 
     return margin > real(0) && at.s < s_end;
 }
 
-// Loops whose turns differ from ray to ray here and elsewhere test their limit at the start and their end at the end. A test
-// for the end at the start would run the body once more on lavapipe, which goes on until no lane is left; and with a test
-// at the end alone lanes that left early would read what the body computes later (Mesa 22.3 masks what it keeps from turn
-// to turn, and what meets behind several exits, but no other values).
-//
 // Searches the whole ray; walk.hit, .inside, .frame and .sigma tell the answer, to be refined.
 Walk march(const Ray ray, const MapData map, const Pair base, const real scale, const real shell_squared) {
     Walk walk;

@@ -142,7 +142,7 @@ void finish(const Task task, const Gathered gathered, const int sample_index) {
         put(task.pixel, PLANE_R, sample_index > 0 ? storedColour(task.pixel) + gathered.colour : gathered.colour);
 }
 
-// Chosen by pixel, although it is the same for all: see readUniforms().
+// Chosen by pixel, although it is the same for all: see uniforms.glsl.
 int sampleOf(const Task task) {
     return task.pixel.x >= 0 ? params.sample_index : 0;
 }

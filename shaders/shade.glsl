@@ -195,7 +195,7 @@ int takeFirst(inout Candidates candidates) {
 
 // Whether a ray (start from object 0's centre, direction unit, world) may enter a sphere: never a false no, by a margin far
 // above what the ray's rounding comes to. Spheres of negative radius are never met: those of other objects, so that no
-// kind has to be asked for, see readUniforms().
+// kind has to be asked for, see uniforms.glsl.
 bool mayMeet(const vec4 sphere, const vec3 start, const vec3 direction) {
     vec3 towards = sphere.xyz - start;
     float along = dot(towards, direction);
@@ -275,7 +275,7 @@ SurfacePoint nearestHit(const Segment segment) {
     best.steps = 0;
     best.level = 0;
     best.clear = -kInfinity;
-    best.ramp = -1;  // lest it be the object's alone: see readUniforms()
+    best.ramp = -1;  // lest it be the object's alone: see uniforms.glsl
     best.t = kInfinity;
     // Not even a loop of one turn is free: it stands between the driver and what it could do once.
     if (kObjectCount == 1) {
@@ -320,6 +320,8 @@ vec3 checkerColour(const SurfacePoint point) {
 }
 #endif
 
+// What tells images and checkerboards apart is read by the hit's own index, lest a branch depend on uniform data alone: see
+// uniforms.glsl.
 vec3 albedoOf(const SurfacePoint point) {
     if (kImages != 0 && objects[point.object].image != IMAGE_NONE)
         return pointImageColour(point);

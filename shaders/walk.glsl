@@ -141,8 +141,8 @@ Chord solveChord(const PatchPoint start, const PatchPoint middle, const PatchPoi
 #endif
 
 // First root of a chord's parabola (g, slope, bend) where g >= 0, as a share of the chord.
-real parabolaRoot(const vec3 fall) {
-    return clamp(firstRoot(fall.x, fall.y, fall.z), real(0), real(1));
+real parabolaRoot(const vec3 parabola) {
+    return clamp(firstRoot(parabola.x, parabola.y, parabola.z), real(0), real(1));
 }
 
 struct Walk {
