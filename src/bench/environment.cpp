@@ -1,5 +1,6 @@
 #include "bench/environment.h"
 
+#include "bench/commit.h"
 #include "bench/contender.h"
 #include "gpu/device.h"
 
