@@ -75,7 +75,7 @@ struct Piece {
     ivec2 cell;               // where it starts: the corner's
     real s, s_end, extent;    // extent = s_end - s
     vec2 steepness;           // slope of the surface per height difference of a cell, eastward and southward
-    real rows_before;  // of `cell`
+    real rows_before;         // of `cell`
     bool doubtful;
 };
 
