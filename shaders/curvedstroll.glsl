@@ -40,20 +40,13 @@ void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, cons
     Patch quad = fetchPatch(map, scale, wrappedCell(stroll, map));
     real height = rowHeight(map, stroll.cell.y);
     real rows_per_height = height < real(1) ? real(2) : real(1);
-    real x = stroll.x;
-    vec3 place = piece.start + x * (piece.slope + x * piece.bend) - vec3(cornerPlace(stroll, piece, map), real(0));
-    vec3 rate = piece.slope + (real(2) * x) * piece.bend;
-    bvec2 forward = bvec2(rate.x > real(0), rate.y > real(0));
-    Advance to_u = advanceTo(gapAhead(place.x, forward.x, real(1)), rate.x, piece.bend.x);
-    Advance to_v = advanceTo(gapAhead(place.y, forward.y, height), rate.y, piece.bend.y);
-    bool pole_edge = stroll.cell.y == (forward.y ? map.rows - 1 : 0);
-    to_v.by = pole_edge && to_v.crosses ? kInfinity : to_v.by;
-    real by = lesser(lesser(lesser(to_u.by, to_v.by), real(1) - x), stroll.longest);
+    Reach reach = reachOf(stroll, piece, map, height);
+    real by = lesser(lesser(lesser(reach.to_u.by, reach.to_v.by), real(1) - stroll.x), stroll.longest);
 
     vec3 per_place = vec3(real(1), rows_per_height, real(1));
     vec2 steepness = vec2(piece.steepness.x, piece.steepness.y * rows_per_height);
     real band;
-    Chord chord = curvedChord(quad, place * per_place, by * rate * per_place, (by * by) * piece.bend * per_place,
+    Chord chord = curvedChord(quad, reach.place * per_place, by * reach.rate * per_place, (by * by) * piece.bend * per_place,
                               steepness, band);
     real wide = band + chord.miss;
     bool narrow = chord.miss <= kEnoughOfDoubt * band || by * piece.extent <= real(4) * kShortestChord;
@@ -63,12 +56,11 @@ void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, cons
     // Written so that any NaN is a doubt.
     bool free = chord.lowest > wide && chord.g > real(0);
     bool halve = !inside && !falls && !free && !narrow;
-    bool goes_on = halve || by < real(1) - x;
+    bool goes_on = halve || by < real(1) - stroll.x;
     stroll.verdict = inside ? kInside : (falls ? kHit : (!free && narrow ? kDoubtful : (goes_on ? kGoing : kFree)));
     stroll.by = by;
     stroll.parabola = vec3(chord.g, chord.slope, chord.bend);
-    bvec2 leaves = bvec2(to_u.crosses && to_u.by <= by, to_v.crosses && to_v.by <= by);
     // The limit that was not too long is doubled, not the chord, which an edge may have cut to nothing.
     stroll.longest = halve ? real(0.5) * by : real(2) * stroll.longest;
-    if (stroll.verdict == kGoing && !halve) strollOn(stroll, leaves, forward);
+    if (stroll.verdict == kGoing && !halve) strollOn(stroll, reach);
 }

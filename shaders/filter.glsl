@@ -30,9 +30,7 @@ struct Corner {
     vec2 west, north;
 };
 
-Corner cornerOf(const MapData map, const ivec2 cell) {
-    vec4 west = edgesAt(cell.x, map.edges_y);
-    vec4 north = edgesAt(cell.y, map.edges_y + 1);
+Corner cornerOf(const vec4 west, const vec4 north) {
     Corner corner;
     corner.west = vec2(west.x, west.y);
     corner.north = vec2(north.x, north.y);
@@ -91,7 +89,7 @@ Piece makePiece(const Ray ray, const MapData map, const real base, const real ac
     vec3 p = ray.c + s * ray.d;
     piece.cell = locateCell(map, p);
     piece.rows_before = rowsBefore(map, piece.cell.y);
-    piece.corner = cornerOf(map, piece.cell);
+    piece.corner = cornerOf(edgesAt(piece.cell.x, map.edges_y), edgesAt(piece.cell.y, map.edges_y + 1));
     Sight sight = sightOf(piece.corner, map, p);
     real longest = lesser(kPieceAcross * sight.rho / across_axis, kPieceLength * sight.radius);
     piece.s = s;
@@ -163,11 +161,33 @@ ivec2 wrappedCell(const Stroll stroll, const MapData map) {
     return ivec2(wrapColumn(stroll.cell.x, map.width), stroll.cell.y);
 }
 
-// On to the last chord's end, and over the edges that it `leaves` the cell by.
-void strollOn(INOUT(Stroll) stroll, const bvec2 leaves, const bvec2 forward) {
+// What lies ahead in the stroll's cell, which is `height` rows high.
+struct Reach {
+    vec3 place, rate;  // where the ray is in the cell, and how that changes with x
+    bvec2 forward;     // eastward, southward
+    Advance to_u, to_v;
+};
+
+Reach reachOf(const Stroll stroll, const Piece piece, const MapData map, const real height) {
+    real x = stroll.x;
+    Reach reach;
+    reach.place = piece.start + x * (piece.slope + x * piece.bend) - vec3(cornerPlace(stroll, piece, map), real(0));
+    reach.rate = piece.slope + (real(2) * x) * piece.bend;
+    reach.forward = bvec2(reach.rate.x > real(0), reach.rate.y > real(0));
+    reach.to_u = advanceTo(gapAhead(reach.place.x, reach.forward.x, real(1)), reach.rate.x, piece.bend.x);
+    reach.to_v = advanceTo(gapAhead(reach.place.y, reach.forward.y, height), reach.rate.y, piece.bend.y);
+    bool pole_edge = stroll.cell.y == (reach.forward.y ? map.rows - 1 : 0);
+    reach.to_v.by = pole_edge && reach.to_v.crosses ? kInfinity : reach.to_v.by;
+    return reach;
+}
+
+// On to the last chord's end, and over the edges that it leaves the cell by.
+void strollOn(INOUT(Stroll) stroll, const Reach reach) {
+    bool leaves_u = reach.to_u.crosses && reach.to_u.by <= stroll.by;
+    bool leaves_v = reach.to_v.crosses && reach.to_v.by <= stroll.by;
     stroll.x += stroll.by;
-    stroll.cell.x += leaves.x ? (forward.x ? 1 : -1) : 0;
-    stroll.cell.y += leaves.y ? (forward.y ? 1 : -1) : 0;
+    stroll.cell.x += leaves_u ? (reach.forward.x ? 1 : -1) : 0;
+    stroll.cell.y += leaves_v ? (reach.forward.y ? 1 : -1) : 0;
 }
 
 #ifdef WITH_CURVED
@@ -204,17 +224,11 @@ void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, cons
     // Per row from here on, not per height of the cell: exact, since that is 1 or 1/2.
     quad.c *= height < real(1) ? real(2) : real(1);
     quad.d *= height < real(1) ? real(2) : real(1);
-    real x = stroll.x;
-    vec3 place = piece.start + x * (piece.slope + x * piece.bend) - vec3(cornerPlace(stroll, piece, map), real(0));
-    vec3 rate = piece.slope + (real(2) * x) * piece.bend;
-    bvec2 forward = bvec2(rate.x > real(0), rate.y > real(0));
-    Advance to_u = advanceTo(gapAhead(place.x, forward.x, real(1)), rate.x, piece.bend.x);
-    Advance to_v = advanceTo(gapAhead(place.y, forward.y, height), rate.y, piece.bend.y);
-    bool pole_edge = stroll.cell.y == (forward.y ? map.rows - 1 : 0);
-    to_v.by = pole_edge && to_v.crosses ? kInfinity : to_v.by;
-    real by = lesser(lesser(to_u.by, to_v.by), real(1) - x);
+    Reach reach = reachOf(stroll, piece, map, height);
+    real by = lesser(lesser(reach.to_u.by, reach.to_v.by), real(1) - stroll.x);
 
-    vec3 slope = by * rate;
+    vec3 place = reach.place;
+    vec3 slope = by * reach.rate;
     vec3 bend = (by * by) * piece.bend;
     Chord chord = strollChord(quad, place, slope, bend);
     real band = kDoubt * steepestOn(quad, place, place + slope + bend, piece.steepness) + chord.miss;
@@ -223,11 +237,10 @@ void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, cons
     bool falls = chord.lowest < -band && chord.g > real(0);
     bool free = chord.lowest > band && chord.g > real(0);
     // Written so that any NaN is a doubt.
-    stroll.verdict = inside ? kInside : (falls ? kHit : (!free ? kDoubtful : (by < real(1) - x ? kGoing : kFree)));
+    stroll.verdict = inside ? kInside : (falls ? kHit : (!free ? kDoubtful : (by < real(1) - stroll.x ? kGoing : kFree)));
     stroll.by = by;
     stroll.parabola = vec3(chord.g, chord.slope, chord.bend);
-    bvec2 leaves = bvec2(to_u.crosses && to_u.by <= by, to_v.crosses && to_v.by <= by);
-    if (stroll.verdict == kGoing) strollOn(stroll, leaves, forward);
+    if (stroll.verdict == kGoing) strollOn(stroll, reach);
 }
 
 #endif
@@ -322,13 +335,13 @@ Crossing crossingAt(const vec3 p, const MapData map, const real base, const ivec
     return crossing;
 }
 
-// The same to 48 bits: the height ramp's colour of a steep map needs them.
-Crossing finalCrossing(const vec3 p, const MapData map, const Pair base, const ivec2 cell, const Patch quad) {
+// The same to 48 bits: the height ramp's colour of a steep map needs them. west, north: the cell's edges.
+Crossing finalCrossing(const vec3 p, const MapData map, const Pair base, const ivec2 cell, const vec4 west,
+                       const vec4 north, const Patch quad) {
     Crossing crossing;
     crossing.p = p;
-    vec4 west = splitEdge(edgesAt(cell.x, map.edges_y));
-    vec4 north = splitEdge(edgesAt(cell.y, map.edges_y + 1));
-    View view = viewFrom(west, north, base, makePair(p.x, real(0)), makePair(p.y, real(0)), makePair(p.z, real(0)));
+    View view = viewFrom(splitEdge(west), splitEdge(north), base, makePair(p.x, real(0)), makePair(p.y, real(0)),
+                         makePair(p.z, real(0)));
     real columns = atanSmall(view.place.x / max(view.place.y, kTiny)) * real(map.cells_per_radian_u);
     real rows = atanSmall(view.slant.x / max(view.slant.y, kTiny)) * cellsPerRadianV(map, cell.y);
     crossing.at.fu = clamp(columns, real(0), real(1));
@@ -342,7 +355,9 @@ Crossing finalCrossing(const vec3 p, const MapData map, const Pair base, const i
 // move from each other, not along s, whose own rounding would come on top.
 Crossing filterRefine(const Ray ray, const MapData map, const Pair base, const real scale, const Filtered answer) {
     Patch quad = fetchPatch(map, scale, answer.cell);
-    Corner corner = cornerOf(map, answer.cell);
+    vec4 west = edgesAt(answer.cell.x, map.edges_y);
+    vec4 north = edgesAt(answer.cell.y, map.edges_y + 1);
+    Corner corner = cornerOf(west, north);
     real y = answer.inside ? real(0) : parabolaRoot(answer.parabola);
     vec3 p = ray.c + (answer.low + y * answer.extent) * ray.d;
     Crossing first = crossingAt(p, map, base.hi, answer.cell, corner, quad);
@@ -354,5 +369,5 @@ Crossing filterRefine(const Ray ray, const MapData map, const Pair base, const r
     bool steep = abs(rate) > real(1e-6) * length(second.gradient);
     real stride = steep && !answer.inside ? -second.at.g / rate : real(0);
     stride = clamp(stride, -moved * answer.extent, (real(1) - moved) * answer.extent);
-    return finalCrossing(second.p + stride * ray.d, map, base, answer.cell, quad);
+    return finalCrossing(second.p + stride * ray.d, map, base, answer.cell, west, north, quad);
 }

@@ -73,17 +73,21 @@ int levelFor(const int k, const ObjectData object, const Ray ray) {
     return level;
 }
 
+// Whether objects of the kinds meant are the main one alone.
+bool meansMain(const int kinds) {
+    return kObjectCount == 1 || (kinds == kDisplaced && kOnlyDisplaced >= 0);
+}
+
 // Object k, one of the kinds meant.
 ObjectData objectOf(const int k, const int kinds) {
-    if (kObjectCount == 1 || (kinds == kDisplaced && kOnlyDisplaced >= 0)) return main_object;
+    if (meansMain(kinds)) return main_object;
     if (kinds == kPlain && kOnlyPlain >= 0) return plain_object;
     return objects[k];
 }
 
 MapData mapOf(const int k, const int kinds, const int level) {
-    bool is_main = kObjectCount == 1 || (kinds == kDisplaced && kOnlyDisplaced >= 0);
-    if (is_main && kDetail <= 0.0) return main_map;
-    return maps[level * MAX_OBJECTS + (is_main ? kMainObject : k)];
+    if (meansMain(kinds) && kDetail <= 0.0) return main_map;
+    return maps[level * MAX_OBJECTS + (meansMain(kinds) ? kMainObject : k)];
 }
 
 // Where a ray starts: at the camera, through a place of the picture, or on a surface.

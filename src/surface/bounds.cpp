@@ -184,8 +184,9 @@ std::size_t Bounds::index(int face, int level, int i, int j) const {
 }
 
 int boundsSide(int columns) {
-    // A face spans a quarter of the columns, so a finest cell spans four to eight cells of the map; fewer of a coarse one,
-    // whose cells are large as they are, and about eight, 6 to 11, of a large one, whose bounds would leave the caches.
+    // A face spans a quarter of the columns, so a finest cell spans four to eight cells of the map; fewer of a coarse
+    // one, whose cells are large as they are, and about eight, 6 to 11, of a large one, whose bounds would leave the
+    // caches.
     const unsigned width = unsigned(columns);
     const unsigned side = width < 8192 ? std::bit_floor(width) / 16 : std::bit_floor(width + width / 3) / 32;
     return std::clamp(int(side), 64, 1024);
