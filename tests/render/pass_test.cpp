@@ -1,0 +1,58 @@
+#include "render/pass.h"
+
+#include "render/devicefilm.h"
+#include "render/planes.h"
+#include "tests/render/world.h"
+#include "tests/support/keepdriver.h"
+
+namespace dsphere::test {
+namespace {
+
+class PassTest : public WorldTest {
+  protected:
+    // Straight down on the pole from so close, and so narrow, that all pixels lie where the filter doubts every ray.
+    World poleWorld(int width, int height) const {
+        World made = world(planet());
+        made.scene = parseScene(
+            "LookAt 0 4 0  0 0 0  0 0 1\nCamera \"perspective\" \"float fov\" .0002\nFilm \"rgb\" \"integer "
+            "xresolution\" " +
+                std::to_string(width) + " \"integer yresolution\" " + std::to_string(height) + "\nWorldBegin\n" +
+                planet(),
+            "pole.pbrt", folder_.path());
+        made.maps = loadSceneMaps(made.scene);
+        made.packed = packScene(made.scene, made.maps);
+        return made;
+    }
+
+    gpu::Device device_{{"", true}};
+};
+
+// The list of pixels to retry is dispatched in rows of RETRY_ROW workgroups: more than one row, and the last not full,
+// as a whole and cut into parts that take one row each.
+TEST_F(PassTest, TheRetryTakesMoreThanARowOfGroups) {
+    const int rows = 272, width = 272;
+    const std::uint32_t mask = planeBit(PLANE_T) | planeBit(PLANE_ID);
+    World made = poleWorld(width, rows);
+    PassPipelines pipelines(device_, made.packed.traits, 1.0f, Marcher::Exact, mask);
+    const DeviceScene scene(device_, made.packed);
+    const Box box{0, 0, width, rows};
+    const auto render = [&](int rows_at_once) {
+        DeviceFilm film(device_, width, rows, mask);
+        Pass pass(device_, pipelines, scene, film.image());
+        for (int y = 0; y < rows; y += rows_at_once)
+            pass.run(std::vector{layout::RenderParams{0, y, width, std::min(y + rows_at_once, rows), 0, 0, -1, 0}});
+        EXPECT_EQ(pass.retried(), box.width() * std::uint64_t(box.height()));
+        return film.read(box, box);
+    };
+    const Image whole = render(rows), parts = render(4);
+    const std::uint64_t in_a_row = RETRY_ROW * GROUP_SIZE_X * GROUP_SIZE_Y;
+    ASSERT_GT(whole.pixelCount(), in_a_row);
+    ASSERT_NE(whole.pixelCount() % in_a_row, 0u);
+    for (std::size_t i = 0; i < whole.pixelCount(); ++i) {
+        ASSERT_EQ(whole.at("id").uints()[i], 1u) << "pixel " << i;
+        ASSERT_EQ(whole.at("t").floats()[i], parts.at("t").floats()[i]) << "pixel " << i;
+    }
+}
+
+}  // namespace
+}  // namespace dsphere::test
