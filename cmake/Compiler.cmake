@@ -38,6 +38,8 @@ function(dsphere_test name)
     target_include_directories(${name}_test PRIVATE ${PROJECT_SOURCE_DIR})
     dsphere_unity(${name}_test)
     target_link_libraries(${name}_test PRIVATE ${ARG_LINK} GTest::gtest_main)
+    # What takes its time in a test is in the libraries: a third less to compile.
+    target_compile_options(${name}_test PRIVATE $<$<CONFIG:Release>:-O1>)
     target_compile_definitions(${name}_test PRIVATE DSPHERE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     if(NOT ARG_SHARDS)
         gtest_discover_tests(${name}_test TEST_PREFIX "${name}." PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 60)
