@@ -3,6 +3,7 @@
 #include "render/raster.h"
 
 #include "reference/camera.h"
+#include "render/pack.h"
 #include "scene/parser.h"
 
 #include <gtest/gtest.h>
@@ -32,6 +33,29 @@ TEST_P(RasterTest, ProjectIsTheInverse) {
             dvec2 place = raster_.project(raster_.start.at(x, y) + 3.0 * raster_.direction.at(x, y));
             EXPECT_NEAR(place.x, x, 1e-9);
             EXPECT_NEAR(place.y, y, 1e-9);
+        }
+}
+
+dvec3 sumOf(const layout::vec4& row, const layout::vec4& row_lo) {
+    return dvec3(row) + dvec3(row_lo);
+}
+
+// Rows and _lo rows together: 48 bits of what is fixed, 36 of the steps from pixel to pixel.
+TEST_P(RasterTest, PackedRaysAreTheReferencesTo36Bits) {
+    const PackedScene packed = packScene(scene_, loadSceneMaps(scene_));
+    const layout::ObjectData& o = packed.objects.at(0);
+    for (double y : {0.0, 17.0, scene_.film.height - 1.0})
+        for (double x : {0.0, 33.0, scene_.film.width - 1.0}) {
+            const double right = x - double(o.anchor_x), down = y - double(o.anchor_y);
+            const dvec3 direction = sumOf(o.direction_0, o.direction_0_lo) +
+                                    right * sumOf(o.direction_x, o.direction_x_lo) +
+                                    down * sumOf(o.direction_y, o.direction_y_lo);
+            const dvec3 point = sumOf(o.point_0, o.point_0_lo) + right * sumOf(o.point_x, o.point_x_lo) +
+                                down * sumOf(o.point_y, o.point_y_lo);
+            const reference::CameraRay ray = reference::cameraRay(scene_.camera, scene_.film, x + 0.5, y + 0.5);
+            EXPECT_LT(glm::distance(glm::normalize(direction), ray.direction), 1e-10) << x << ", " << y;
+            EXPECT_LT(glm::length(glm::cross(point - ray.origin, ray.direction)), 1e-10 * (1.0 + glm::length(point)))
+                << x << ", " << y;
         }
 }
 

@@ -170,10 +170,17 @@ TEST(LightCheck, WrongShadowsAreFoundOut) {
     addBall(scene);
     addSky(scene);
     addLamps(scene);
-    const Report report = verifyMadeUp(scene, mapsOf(scene, true), [](LightAnswer& light) { light.lit ^= 2u; });
-    EXPECT_GE(double(report.wrong_shadows), 0.99 * double(report.shadow_rays) / 4.0);
+    // Of a float's P' some lie less above the floor than a ray is moved sideways: those of rays that leave it at less
+    // than 4 degrees, one in 18 of the sky's here, pass for tangent. Those are counted, and too many.
+    const auto expectFoundOut = [](const Report& report, double spoilt, double certain) {
+        EXPECT_GE(double(report.wrong_shadows), certain * spoilt);
+        EXPECT_GE(double(report.wrong_shadows + report.tangent_shadows), 0.99 * spoilt);
+        EXPECT_FALSE(report.passed());
+    };
+    const Report sky = verifyMadeUp(scene, mapsOf(scene, true), [](LightAnswer& light) { light.lit ^= 2u; });
+    expectFoundOut(sky, double(sky.shadow_rays) / 4.0, 0.94);
     const Report all = verifyMadeUp(scene, mapsOf(scene, true), [](LightAnswer& light) { light.lit = ~light.lit; });
-    EXPECT_GE(double(all.wrong_shadows), 0.99 * double(all.shadow_rays));
+    expectFoundOut(all, double(all.shadow_rays), 0.98);
 }
 
 // The samples of another index are as good for pictures and wrong for verify.
