@@ -7,11 +7,18 @@
 #include "layout.h"
 
 layout(constant_id = SPEC_MARCHER) const int kMarcher = MARCHER_EXACT;
-layout(constant_id = SPEC_OBJECT_COUNT) const int kObjectCount = 1;
 layout(constant_id = SPEC_LIGHT_COUNT) const int kLightCount = 0;
+#ifdef ONE_PLANET  // the scene is a displaced sphere alone
+const int kObjectCount = 1;
+const int kOnlyDisplaced = 0;
+const int kOnlyPlain = -1;
+const int kKinds = 1 << KIND_DISPLACED;
+#else
+layout(constant_id = SPEC_OBJECT_COUNT) const int kObjectCount = 1;
 layout(constant_id = SPEC_ONLY_DISPLACED) const int kOnlyDisplaced = -1;
 layout(constant_id = SPEC_ONLY_PLAIN) const int kOnlyPlain = -1;
 layout(constant_id = SPEC_KINDS) const int kKinds = 1;
+#endif
 layout(constant_id = SPEC_PLANES) const uint kPlanes = 0u;
 layout(constant_id = SPEC_IMAGES) const int kImages = 0;
 layout(constant_id = SPEC_LIGHT_KINDS) const int kLightKinds = 1;

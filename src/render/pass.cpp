@@ -2,6 +2,12 @@
 
 #include "gpu/device.h"
 #include "render/devicefilm.h"
+#include "shaders/planet_filter.spv.h"
+#include "shaders/planet_filter_curved.spv.h"
+#include "shaders/planet_filter_paths.spv.h"
+#include "shaders/planet_full.spv.h"
+#include "shaders/planet_full_curved.spv.h"
+#include "shaders/planet_full_paths.spv.h"
 #include "shaders/render_baseline.spv.h"
 #include "shaders/render_baseline_curved.spv.h"
 #include "shaders/render_baseline_paths.spv.h"
@@ -51,9 +57,19 @@ struct Variants {
     }
 };
 
-const Variants kFilter = {kSpirv_render_filter, kSpirv_render_filter_curved, kSpirv_render_filter_paths};
-const Variants kFull = {kSpirv_render_full, kSpirv_render_full_curved, kSpirv_render_full_paths};
-const Variants kBaseline = {kSpirv_render_baseline, kSpirv_render_baseline_curved, kSpirv_render_baseline_paths};
+/// One for any scene, one for a planet alone.
+struct Shaders {
+    Variants any, planet;
+
+    Spirv of(const SceneTraits& traits) const { return (traits.onePlanet() ? planet : any).of(traits); }
+};
+
+const Shaders kFilter = {{kSpirv_render_filter, kSpirv_render_filter_curved, kSpirv_render_filter_paths},
+                         {kSpirv_planet_filter, kSpirv_planet_filter_curved, kSpirv_planet_filter_paths}};
+const Shaders kFull = {{kSpirv_render_full, kSpirv_render_full_curved, kSpirv_render_full_paths},
+                       {kSpirv_planet_full, kSpirv_planet_full_curved, kSpirv_planet_full_paths}};
+const Variants kAnyBaseline = {kSpirv_render_baseline, kSpirv_render_baseline_curved, kSpirv_render_baseline_paths};
+const Shaders kBaseline = {kAnyBaseline, kAnyBaseline};
 
 }  // namespace
 
@@ -61,8 +77,8 @@ const Variants kBaseline = {kSpirv_render_baseline, kSpirv_render_baseline_curve
 // the first pipeline's is best begun as soon as possible, beside the other's translation.
 PassPipelines::PassPipelines(gpu::Device& device, const SceneTraits& traits, float stride, const MarchMethod& method,
                              std::uint32_t mask) {
-    const auto make = [&device, traits, stride, method, mask](const Variants& variants) {
-        return makeMarchPipeline(device, traits, stride, variants.of(traits), Shader::Render, method, mask);
+    const auto make = [&device, traits, stride, method, mask](const Shaders& shaders) {
+        return makeMarchPipeline(device, traits, stride, shaders.of(traits), Shader::Render, method, mask);
     };
     columns_ = GROUP_SIZE_X * turnsOf(device, traits, method);
     const bool exact = method.marcher == Marcher::Exact;

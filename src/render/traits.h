@@ -31,9 +31,11 @@ struct SceneTraits {
     } paths;
 
     bool operator==(const SceneTraits&) const = default;
-    /// Whether the shader variants WITH_CURVED are needed.
+    /// Whether the shader variants of ONE_PLANET may be taken.
+    bool onePlanet() const { return objects == 1 && kinds == 1u << KIND_DISPLACED; }
+    /// Whether those WITH_CURVED are needed.
     bool curved() const { return surfaces > 1u << SURFACE_BILINEAR; }
-    /// Whether the variants WITH_PATHS are.
+    /// Whether those WITH_PATHS are.
     bool needsPaths() const;
 };
 
