@@ -9,9 +9,11 @@
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
+#include <ImfThreading.h>
 #include <ImfTileDescription.h>
 
 #include <algorithm>
+#include <thread>
 
 #include "base/error.h"
 #include "image/atomicfile.h"
@@ -41,6 +43,12 @@ Imath::Box2i toExr(const Box& box) {
 
 Box fromExr(const Imath::Box2i& box) {
     return {box.min.x, box.min.y, box.max.x + 1, box.max.y + 1};
+}
+
+/// Has OpenEXR pack and unpack on all cores: on one that takes longer than many a picture.
+void useAllCores() {
+    static const bool once = (Imf::setGlobalThreadCount(int(std::thread::hardware_concurrency())), true);
+    static_cast<void>(once);
 }
 
 /// OpenEXR's way into an AtomicFile.
@@ -121,6 +129,7 @@ void checkHeader(const Imf::Header& header, const Names& wanted, std::uint64_t f
 /// or rounded to float.
 template <typename Choose>
 Image readPixels(const std::filesystem::path& path, bool keep_uints, Choose&& choose) {
+    useAllCores();
     // A multi-part file reads the header alone; the part makes room for pixels, so it comes after the check.
     Imf::MultiPartInputFile file(path.c_str());
     const Imf::Header& header = file.header(0);
@@ -162,6 +171,7 @@ Names colourChannels(const Imf::ChannelList& channels) {
 }  // namespace
 
 void writeExr(const std::filesystem::path& path, const Image& image, const Metadata& metadata) {
+    useAllCores();
     AtomicFile file(path);
     try {
         ExrStream stream(file, path.string());
