@@ -27,9 +27,10 @@ void expectAllViews(World world, int width = 1280) {
         EXPECT_GT(report.hits, least);
         EXPECT_GT(report.shadow_rays, least);
         expectContract(report);
-        std::printf("%s: %llu tangent, distance 99.9 %% %.2g, greatest %.2g\n", view.name,
-                    static_cast<unsigned long long>(report.tangent), report.distanceQuantile(0.999),
-                    report.distanceQuantile(1.0));
+        std::printf("%s: %llu tangent, distance 99.9 %% %.2g, greatest %.2g, along the ray %.2g, normals 99 %% %.2g\n",
+                    view.name, static_cast<unsigned long long>(report.tangent), report.distanceQuantile(0.999),
+                    report.distanceQuantile(1.0), report.worst_along_ray,
+                    report.normalQuantile(verify::contract::kNormalShare));
     }
 }
 
