@@ -36,6 +36,7 @@ using uint = std::uint32_t;
 #define BINDING_HITS 13    // probe.comp: the answers
 #define BINDING_RETRY 13   // render.comp: the pixels that FILTER leaves to FULL
 
+// ONE_PLANET knows what SPEC_OBJECT_COUNT, SPEC_KINDS and SPEC_ONLY_ would tell.
 #define SPEC_MARCHER 0
 #define SPEC_OBJECT_COUNT 1
 #define SPEC_LIGHT_COUNT 2

@@ -45,10 +45,21 @@ Box fromExr(const Imath::Box2i& box) {
     return {box.min.x, box.min.y, box.max.x + 1, box.max.y + 1};
 }
 
-/// Has OpenEXR pack and unpack on all cores: on one that takes longer than many a picture.
-void useAllCores() {
-    static const bool once = (Imf::setGlobalThreadCount(int(std::thread::hardware_concurrency())), true);
-    static_cast<void>(once);
+/// Of OpenEXR, to pack what is written: on one core that takes longer than many a picture. Each has room for some rows,
+/// so not too many; none where there is one core, or no thread to be had. Files are read without: what a hostile header
+/// makes room for would be that many times as large.
+int packingThreads() {
+    static const int threads = [] {
+        const int cores = int(std::min(std::thread::hardware_concurrency(), 8u));
+        if (cores < 2) return 0;
+        try {
+            Imf::setGlobalThreadCount(cores);
+        } catch (const std::exception&) {
+            return 0;
+        }
+        return cores;
+    }();
+    return threads;
 }
 
 /// OpenEXR's way into an AtomicFile.
@@ -129,9 +140,8 @@ void checkHeader(const Imf::Header& header, const Names& wanted, std::uint64_t f
 /// or rounded to float.
 template <typename Choose>
 Image readPixels(const std::filesystem::path& path, bool keep_uints, Choose&& choose) {
-    useAllCores();
     // A multi-part file reads the header alone; the part makes room for pixels, so it comes after the check.
-    Imf::MultiPartInputFile file(path.c_str());
+    Imf::MultiPartInputFile file(path.c_str(), 0);
     const Imf::Header& header = file.header(0);
     const Names wanted = choose(header.channels());
     checkHeader(header, wanted, std::filesystem::file_size(path));
@@ -171,11 +181,10 @@ Names colourChannels(const Imf::ChannelList& channels) {
 }  // namespace
 
 void writeExr(const std::filesystem::path& path, const Image& image, const Metadata& metadata) {
-    useAllCores();
     AtomicFile file(path);
     try {
         ExrStream stream(file, path.string());
-        Imf::OutputFile out(stream, makeHeader(image, metadata));
+        Imf::OutputFile out(stream, makeHeader(image, metadata), packingThreads());
         out.setFrameBuffer(makeFrameBuffer(image));
         out.writePixels(image.data.height());
         // The destructors complete the file; a failure in them is kept by it.
@@ -187,7 +196,7 @@ void writeExr(const std::filesystem::path& path, const Image& image, const Metad
 
 Metadata readExrMetadata(const std::filesystem::path& path) {
     try {
-        Imf::MultiPartInputFile file(path.c_str());
+        Imf::MultiPartInputFile file(path.c_str(), 0);
         const Imf::Header& header = file.header(0);
         Metadata metadata;
         for (auto i = header.begin(); i != header.end(); ++i) {

@@ -7,9 +7,8 @@
 namespace dsphere {
 namespace {
 
-dvec3 throughFloats(const dvec3& v) {
-    return dvec3(glm::vec3(v));
-}
+/// Not known to the compiler.
+volatile double someValues[] = {0.1, 0.2, 0.3};
 
 struct Split {
     dvec3 high{0.0}, low{0.0};
@@ -17,7 +16,7 @@ struct Split {
 
 [[gnu::noinline]] Split splitOf(const dvec3& v) {
     Split split;
-    split.high = throughFloats(v);
+    split.high = dvec3(glm::vec3(v));
     split.low = v - dvec3(glm::vec3(v));
     return split;
 }
@@ -30,14 +29,14 @@ struct Split {
 }
 
 TEST(Rounding, DoublesSideBySideAreRoundedToFloats) {
-    const Split split = splitOf({0.1, 0.2, 0.3});
+    const dvec3 v(someValues[0], someValues[1], someValues[2]);
+    const Split split = splitOf(v);
     for (int i = 0; i < 3; ++i) {
-        const double value = 0.1 * (i + 1);
-        EXPECT_NE(split.high[i], value);
-        EXPECT_NEAR(split.high[i], value, 3e-8);
+        EXPECT_NE(split.high[i], v[i]);
+        EXPECT_NEAR(split.high[i], v[i], 3e-8);
         EXPECT_NE(split.low[i], 0.0);
     }
-    const double from[2] = {0.1, 0.2};
+    const double from[2] = {someValues[0], someValues[1]};
     float high[2], low[2];
     splitPair(high, low, from);
     for (int i = 0; i < 2; ++i) {
