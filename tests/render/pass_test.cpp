@@ -11,16 +11,10 @@ class PassTest : public WorldTest {
   protected:
     // Straight down on the pole from so close, and so narrow, that all pixels lie where the filter doubts every ray.
     World poleWorld(int width, int height) const {
-        World made;
-        made.scene = parseScene(
+        return worldOf(
             "LookAt 0 4 0  0 0 0  0 0 1\nCamera \"perspective\" \"float fov\" .0002\nFilm \"rgb\" \"integer "
             "xresolution\" " +
-                std::to_string(width) + " \"integer yresolution\" " + std::to_string(height) + "\nWorldBegin\n" +
-                planet(),
-            "pole.pbrt", folder_.path());
-        made.maps = loadSceneMaps(made.scene);
-        made.packed = packScene(made.scene, made.maps);
-        return made;
+            std::to_string(width) + " \"integer yresolution\" " + std::to_string(height) + "\nWorldBegin\n" + planet());
     }
 
     gpu::Device device_{{"", true}};

@@ -40,15 +40,17 @@ class WorldTest : public testing::Test {
     }
 
     World world(const std::string& shapes, const std::string& options = "") const {
-        World world;
-        world.scene = parseScene(
+        return worldOf(
             "LookAt 0 .5 4  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 40\n"
             "Film \"rgb\" \"integer xresolution\" 72 \"integer yresolution\" 40 " +
-                options +
-                "\nWorldBegin\nLightSource \"distant\" \"point3 from\" [1 1 2] "
-                "\"point3 to\" [0 0 0]\n" +
-                shapes,
-            "world.pbrt", folder_.path());
+            options +
+            "\nWorldBegin\nLightSource \"distant\" \"point3 from\" [1 1 2] "
+            "\"point3 to\" [0 0 0]\n" +
+            shapes);
+    }
+    World worldOf(const std::string& text) const {
+        World world;
+        world.scene = parseScene(text, "world.pbrt", folder_.path());
         world.maps = loadSceneMaps(world.scene);
         world.packed = packScene(world.scene, world.maps);
         return world;
