@@ -211,6 +211,7 @@ Rendered renderAll(Renderer& renderer, const Scene& scene, const RenderOptions& 
 int runRender(const RenderOptions& options) {
     Clock::time_point start = Clock::now();
     Scene scene = loadScene(options.scene);
+    if (!options.common.quiet) printNotices(scene.notices);
     scene.integrator.clamp = options.clamp;
     std::filesystem::path path = options.outfile.empty() ? scene.film.filename : options.outfile;
     int samples = scene.sampler.pixel_samples;
@@ -231,6 +232,7 @@ int runRender(const RenderOptions& options) {
     }
     gpu::Device& device = *opened;
     SceneMaps maps = reading.get();
+    if (!options.common.quiet) printNotices(maps.notices());
     PackedScene packed = packScene(scene, maps, options.detail > 0.0f ? Levels::All : Levels::Finest);
     if (compiling.valid()) compiling.get();
     Renderer renderer(device, packed, scene, method);

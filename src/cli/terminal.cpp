@@ -88,10 +88,28 @@ int caughtSignal() {
     return signal_caught;
 }
 
-void printError(const std::string& message) {
+namespace {
+
+// `colour` is an SGR code of ECMA-48: "1;31" bold red.
+void printMessage(const char* kind, const char* colour, const std::string& message) {
     const char* no_colour = std::getenv("NO_COLOR");
-    bool colour = onTerminal() && !(no_colour && *no_colour);
-    fmt::print(stderr, "dsphere: {}error:{} {}\n", colour ? "\033[1;31m" : "", colour ? "\033[0m" : "", message);
+    if (onTerminal() && !(no_colour && *no_colour))
+        fmt::print(stderr, "dsphere: \033[{}m{}:\033[0m {}\n", colour, kind, message);
+    else
+        fmt::print(stderr, "dsphere: {}: {}\n", kind, message);
+}
+
+}  // namespace
+
+void printError(const std::string& message) {
+    printMessage("error", "1;31", message);
+}
+
+void printNotices(const Notices& notices) {
+    for (const Notice& notice : notices) {
+        const bool warning = notice.kind == Notice::Kind::Warning;
+        printMessage(warning ? "warning" : "note", warning ? "1;33" : "1;36", notice.text);
+    }
 }
 
 }  // namespace dsphere::cli

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/notice.h"
+
 #include <chrono>
 #include <string>
 
@@ -45,5 +47,7 @@ int caughtSignal();
 /// One line "dsphere: error: message" on standard error, coloured on a terminal unless NO_COLOR is set and not empty
 /// (no-color.org).
 void printError(const std::string& message);
+/// One line "dsphere: note: text" or "dsphere: warning: text" for each, as printError writes them.
+void printNotices(const Notices& notices);
 
 }  // namespace dsphere::cli

@@ -56,6 +56,7 @@ int runVerify(const VerifyOptions& options) {
     Scene scene = loadScene(options.scene);
     checkWritable(options.outfile + "-device.exr");
     SceneMaps maps = loadSceneMaps(scene);
+    if (!options.common.quiet) printNotices(scene.notices), printNotices(maps.notices());
     gpu::Device device = openDevice(options.common);
     verify::Outcome outcome;
     {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/image.h"
+#include "base/notice.h"
 
 #include <filesystem>
 #include <optional>
@@ -19,6 +20,10 @@ struct RawMap {
     bool gridline = false;       ///< the format's own default registration (GTX)
     std::optional<double> longitude_origin;  ///< degrees at the left edge, where the format says it (GTX)
     std::string type;                        ///< "16-bit PNG", "float32 GTX": for messages and reports
+    /// The file itself says which texels are unknown (a nodata value, alpha, a mask): their samples are NaN. Such
+    /// texels are filled like those of the scene's `nodata`; without this flag NaN is an error.
+    bool unknown_are_nan = false;
+    Notices notices;  ///< what the reader has to say of the file
 };
 
 /// Reads PNG 8/16, PGM/PPM (P2 P3 P5 P6, 8/16 bit), TIFF (8/16 bit, signed or not, float32), EXR, PFM or GTX; the

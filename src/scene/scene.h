@@ -4,6 +4,7 @@
 // Space: pbrt's left-handed world; transforms act on column vectors.
 
 #include "base/math.h"
+#include "base/notice.h"
 
 #include <array>
 #include <optional>
@@ -272,6 +273,7 @@ struct Scene {
     PixelFilter pixel_filter;
     std::vector<Shape> shapes;  ///< in the file's order; never empty
     std::vector<Light> lights;  ///< in the file's order
+    Notices notices;            ///< what the parser has to say of the text, in its order
 };
 
 }  // namespace dsphere

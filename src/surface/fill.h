@@ -10,15 +10,18 @@ namespace dsphere {
 /// Which stored values mean "unknown".
 class Nodata {
   public:
-    /// No value at all (unset), all NaNs, or the float nearest to a number within float's range.
-    explicit Nodata(std::optional<double> value)
-        : any_(value.has_value()), nan_(any_ && std::isnan(*value)), value_(any_ ? float(*value) : 0.0f) {}
+    /// No value at all (unset), all NaNs, or the float nearest to a number within float's range; with `nan_too` all
+    /// NaNs besides.
+    explicit Nodata(std::optional<double> value, bool nan_too = false)
+        : number_(value && !std::isnan(*value)),
+          nan_(nan_too || (value && std::isnan(*value))),
+          value_(number_ ? float(*value) : 0.0f) {}
 
-    bool is(float stored) const { return any_ && (nan_ ? std::isnan(stored) : stored == value_); }
-    bool any() const { return any_; }
+    bool is(float stored) const { return (number_ && stored == value_) || (nan_ && std::isnan(stored)); }
+    bool any() const { return number_ || nan_; }
 
   private:
-    bool any_, nan_;
+    bool number_, nan_;
     float value_;
 };
 

@@ -137,7 +137,7 @@ struct Walk {
 
 std::uint64_t fingerprint(const Scene& scene, const SceneMaps& maps) {
     Walk walk;
-    const auto& [name, camera, film, sampler, integrator, pixel_filter, shapes, lights] = scene;
+    const auto& [name, camera, film, sampler, integrator, pixel_filter, shapes, lights, notices] = scene;
     walk.all(camera, film, integrator, pixel_filter, shapes, lights);
     for (const auto& map : maps.maps) walk.add(*map);
     for (const auto& image : maps.images) walk.add(*image);

@@ -71,7 +71,8 @@ Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape) {
     map.samples = std::move(raw.samples);
     map.path = shape.map_path;
     map.type = std::move(raw.type);
-    const Nodata nodata(shape.nodata);
+    map.notices = std::move(raw.notices);
+    const Nodata nodata(shape.nodata, raw.unknown_are_nan);
     requireFinite(map, nodata);
     if (map.registration == Registration::Gridline && map.height < 2)
         throwInvalid("{}: a map of gridline registration has {} row, expected at least 2, one at each pole", map.path,

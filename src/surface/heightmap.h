@@ -22,6 +22,7 @@ struct Heightmap {
     float least = 0.0f, greatest = 0.0f;  ///< of all samples
     std::size_t nodata_count = 0;         ///< texels that held the shape's nodata value, before they were filled
     std::string path, type;
+    Notices notices;                 ///< the reader's, and those of what was made of the map
     std::optional<Ripples> ripples;  ///< the closed form that takes the samples' place, 0 to 1
 
     float at(int i, int j) const { return samples[std::size_t(j) * std::size_t(width) + std::size_t(i)]; }

@@ -69,6 +69,12 @@ void loadLightImage(SceneMaps& result, const Scene& scene) {
 
 }  // namespace
 
+Notices SceneMaps::notices() const {
+    Notices all;
+    for (const auto& map : maps) all.insert(all.end(), map->notices.begin(), map->notices.end());
+    return all;
+}
+
 std::vector<const Heightmap*> SceneMaps::perShape() const {
     std::vector<const Heightmap*> pointers;
     for (int index : map_of_shape) pointers.push_back(index < 0 ? nullptr : maps[std::size_t(index)].get());

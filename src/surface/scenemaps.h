@@ -17,6 +17,8 @@ struct SceneMaps {
     std::vector<int> image_of_shape;  ///< index in `images`, -1: no image; may be shorter than the shapes
     int light_image = -1;             ///< index in `images` of the infinite light's, -1: it has none
 
+    /// Those of all maps, in the maps' order.
+    Notices notices() const;
     /// One pointer a shape, nullptr without a map.
     std::vector<const Heightmap*> perShape() const;
     /// The image of a shape's texture, or nullptr.
