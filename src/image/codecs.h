@@ -3,6 +3,7 @@
 // The readers behind readRawMap and readRawColour, each of which starts at the file's first byte, and what they share.
 
 #include "image/inputfile.h"
+#include "image/mapchannels.h"
 #include "image/rawcolour.h"
 #include "image/rawmap.h"
 
@@ -40,11 +41,5 @@ void checkSize(const InputFile& file, std::string_view format, std::int64_t widt
 
 /// Throws unless `needed` bytes follow the header just read. `what` is for the message: "8-bit PGM of 4x2 texels".
 void checkLength(const InputFile& file, std::string_view what, std::uint64_t needed);
-
-/// The grey of a colour: exactly the value when all are equal, else the mean, rounded once.
-inline float meanOf(float r, float g, float b) {
-    if (r == g && g == b) return r;
-    return float((double(r) + double(g) + double(b)) / 3.0);
-}
 
 }  // namespace dsphere

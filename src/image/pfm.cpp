@@ -62,11 +62,14 @@ RawMap readPfm(InputFile& file) {
     map.height = header.height;
     map.type = header.type();
     map.samples.resize(std::size_t(map.width) * std::size_t(map.height));
+    ColourCensus colours;
     readRows(file, header, [&](std::size_t first, const std::vector<float>& values) {
+        colours.startRow();
         float* out = &map.samples[first];
         for (std::size_t k = 0; k < values.size(); k += std::size_t(header.channels), ++out)
-            *out = header.channels == 1 ? values[k] : meanOf(values[k], values[k + 1], values[k + 2]);
+            *out = header.channels == 1 ? values[k] : colours.grey(values[k], values[k + 1], values[k + 2]);
     });
+    colours.report(map, file.name());
     return map;
 }
 

@@ -83,15 +83,18 @@ RawMap readPnm(InputFile& file) {
     map.height = header.height;
     map.full_scale = header.maxval;
     map.type = header.type;
+    ColourCensus colours;
     readRows(file, header, [&](int j, const std::vector<int>& row) {
         if (j == 0) map.samples.reserve(std::size_t(header.width) * std::size_t(header.height));
         if (header.channels == 1) {
             map.samples.insert(map.samples.end(), row.begin(), row.end());
             return;
         }
+        colours.startRow();
         for (std::size_t k = 0; k < row.size(); k += 3)
-            map.samples.push_back(meanOf(float(row[k]), float(row[k + 1]), float(row[k + 2])));
+            map.samples.push_back(colours.grey(float(row[k]), float(row[k + 1]), float(row[k + 2])));
     });
+    colours.report(map, file.name());
     return map;
 }
 

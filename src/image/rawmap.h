@@ -18,8 +18,10 @@ struct RawMap {
     double full_scale = 1.0;     ///< the stored value that means h = 1: 255, 65535, a PGM's maxval, 32767 for signed 16
                                  ///< bits; 1 for floats and EXR
     bool gridline = false;       ///< the format's own default registration (GTX)
-    std::optional<double> longitude_origin;  ///< degrees at the left edge, where the format says it (GTX)
-    std::string type;                        ///< "16-bit PNG", "float32 GTX": for messages and reports
+    std::optional<double> longitude_origin;           ///< degrees at the left edge, where the format says it (GTX)
+    std::optional<double> value_scale, value_offset;  ///< height in `unit` = value_offset + value_scale * stored
+    std::string unit;                                 ///< of heights, where the file says it: "m"
+    std::string type;                                 ///< "16-bit PNG", "float32 GTX": for messages and reports
     /// The file itself says which texels are unknown (a nodata value, alpha, a mask): their samples are NaN. Such
     /// texels are filled like those of the scene's `nodata`; without this flag NaN is an error.
     bool unknown_are_nan = false;

@@ -1,0 +1,32 @@
+#pragma once
+
+// What the writer and the readers of EXR files share.
+
+#include "base/image.h"
+
+#include <ImfFrameBuffer.h>
+#include <ImfMultiPartInputFile.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace dsphere {
+
+Imath::Box2i toExr(const Box& box);
+Box fromExr(const Imath::Box2i& box);
+
+/// OpenEXR's view of the planes; they must outlive it. It only reads through the view when it writes a file.
+Imf::FrameBuffer makeFrameBuffer(const Image& image);
+
+/// Names the channels of the first part that are wanted.
+using ChooseChannels = std::function<std::vector<std::string>(const Imf::MultiPartInputFile& file)>;
+
+std::vector<std::string> channelNames(const Imf::ChannelList& channels);
+
+/// Reads the channels that `choose` names of the file's first part: UINT ones as they are if `keep_uints`, all others
+/// widened or rounded to float. Throws exceptions of OpenEXR's and Error, neither of which names the file.
+Image readExrPixels(const std::filesystem::path& path, bool keep_uints, const ChooseChannels& choose);
+
+}  // namespace dsphere
