@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "image/codecs.h"
+#include "image/exrcheck.h"
 #include "image/exrparts.h"
 #include "image/picture.h"
 
@@ -56,6 +57,8 @@ std::vector<std::string> channelNames(const Imf::ChannelList& channels) {
 }
 
 Image readExrPixels(const std::filesystem::path& path, bool keep_uints, const ChooseChannels& choose) {
+    InputFile input(path);
+    checkExrHeaders(input);
     // A multi-part file reads the header alone; the part makes room for pixels, so it comes after the check.
     Imf::MultiPartInputFile file(path.c_str(), 0);
     const Imf::Header& header = file.header(0);
@@ -78,6 +81,8 @@ Image readExrPixels(const std::filesystem::path& path, bool keep_uints, const Ch
 
 Metadata readExrMetadata(const std::filesystem::path& path) {
     try {
+        InputFile input(path);
+        checkExrHeaders(input);
         Imf::MultiPartInputFile file(path.c_str(), 0);
         const Imf::Header& header = file.header(0);
         Metadata metadata;

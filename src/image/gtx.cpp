@@ -74,8 +74,9 @@ RawMap readGtx(InputFile& file) {
         file.read(row.data(), row.size());
         for (std::size_t i = 0; i < std::size_t(map.width); ++i) {
             const float value = loadFloat(&row[4 * i]);
-            map.samples[j * std::size_t(map.width) + i] =
-                value == kNoData ? std::numeric_limits<float>::quiet_NaN() : value;
+            const bool unknown = value == kNoData;
+            map.unknown_are_nan = map.unknown_are_nan || unknown;
+            map.samples[j * std::size_t(map.width) + i] = unknown ? std::numeric_limits<float>::quiet_NaN() : value;
         }
     }
     return map;

@@ -3,3 +3,7 @@
 #include "image/stb.h"
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #include <stb/stb_image_write.h>
+
+void forgetStbFailure() {
+    stbi__g_failure_reason = nullptr;
+}

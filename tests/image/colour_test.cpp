@@ -117,10 +117,27 @@ std::string refusal(const std::string& name, const std::string& bytes) {
     return messageOf(ExitCode::InvalidInput, [&] { read(name, bytes); });
 }
 
+TEST(Colour, ExrLayersOfAnyName) {
+    const Light one{1}, two{2}, three{3};
+    const ExrPlanes<float> layer{{"View.R", one}, {"View.G", two}, {"View.B", three}, {"View.A", one}};
+    const RawColour image = read("a.exr", exrFile<float>({0, 0, 1, 1}, layer));
+    EXPECT_EQ(image.linear, (Light{1, 2, 3}));
+    EXPECT_EQ(image.type, "colour EXR with alpha, layer View");
+    // A render with further outputs: the colours without a layer are the picture.
+    ExrPlanes<float> render = layer;
+    for (const char* name : {"R", "G", "B", "Z"}) render.push_back({name, two});
+    EXPECT_EQ(read("a.exr", exrFile<float>({0, 0, 1, 1}, render)).linear, (Light{2, 2, 2}));
+    ExrPlanes<float> two_layers = layer;
+    for (const char* name : {"Sky.R", "Sky.G", "Sky.B"}) two_layers.push_back({name, two});
+    EXPECT_TRUE(holds(refusal("a.exr", exrFile<float>({0, 0, 1, 1}, two_layers)),
+                      "several of its channels could be colours: Sky.R Sky.G Sky.B, View.R View.G View.B"));
+}
+
 TEST(Colour, Refusals) {
     EXPECT_TRUE(holds(refusal("a.jpg", ""), "is empty"));
     EXPECT_TRUE(holds(refusal("a.jpg", "GIF89a"), "47 49 46 38, expected a JPEG, PNG"));
-    EXPECT_TRUE(holds(refusal("a.exr", exrFile<float>({0, 0, 1, 1}, {{"Z", Light{1}}})), "R, G and B, or Y"));
+    EXPECT_TRUE(holds(refusal("a.exr", exrFile<float>({0, 0, 1, 1}, {{"U", Light{1}}, {"V", Light{1}}})),
+                      "could be heights: U, V; expected Y, or R, G and B"));
     EXPECT_TRUE(holds(refusal("a.tif", tiffFile<std::int16_t>({}, 1, 1, {1})), "unsigned"));
     EXPECT_TRUE(holds(refusal("a.jpg", jpegFile(8, 8, Codes(256, 9), {.channels = 4})), "CMYK"));
     EXPECT_TRUE(holds(refusal("a.jpg", jpegFile(8, 8, Codes(192, 9), {.arithmetic = true})), "arithmetic"));

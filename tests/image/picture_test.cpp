@@ -129,7 +129,7 @@ TEST(Png, IsSrgb) {
              greyRow({0.0f, 0.5f, 1.0f, 2.0f, -1.0f, nan, std::numeric_limits<float>::infinity(),
                       -std::numeric_limits<float>::infinity(), 0.001f, 0.0031308f, 0.2158605f}));
     const RawMap map = readRawMap(folder.path() / "a.png");
-    EXPECT_EQ(map.type, "8-bit PNG");
+    EXPECT_EQ(map.type, "8-bit colour PNG");
     EXPECT_EQ(map.samples, (std::vector<float>{0, 188, 255, 255, 0, 0, 255, 0, 3, 10, 128}));
 }
 

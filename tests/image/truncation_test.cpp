@@ -40,11 +40,13 @@ TiffForm colourTiles() {
 }
 
 std::vector<Sample> smallFiles() {
-    const std::string palette = pngChunk("PLTE", {0, 0, 0, 10, 10, 10, 1, 2, 3});
+    const std::string palette = pngChunk("PLTE", {0, 0, 0, 10, 10, 10, 7, 7, 7});
     return {
         {"grey16.png", pngFile(4, 2, 16, PngColour::Grey, ramp(8))},
         {"rgb8.png", pngFile(2, 2, 8, PngColour::Rgb, ramp(12))},
         {"palette.png", pngFile(3, 1, 2, PngColour::Palette, {2, 1, 0}, palette)},
+        {"alpha16.png", pngFile(2, 2, 16, PngColour::GreyAlpha, ramp(8))},
+        {"key8.png", pngFile(2, 2, 8, PngColour::Rgb, ramp(12), pngChunk("tRNS", {0, 3, 0, 4, 0, 5}))},
         {"grey8.pgm", pnmFile(4, 3, 255, ramp(12))},
         {"grey16.pgm", pnmFile(4, 3, 1000, ramp(12))},
         {"rgb8.ppm", pnmFile(2, 2, 255, ramp(12))},
