@@ -11,16 +11,22 @@ bool isSpace(int c) {
     return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-void skipComment(InputFile& file) {
-    for (int c = file.get(); c != '\n' && c != '\r' && c != -1;) c = file.get();
+constexpr std::size_t kMaxComments = 65536;  // what is beyond is skipped
+
+void readComment(InputFile& file, std::string* comments) {
+    const auto keep = [&](int c) {
+        if (comments && comments->size() < kMaxComments) *comments += char(c);
+    };
+    for (int c = file.get(); c != '\n' && c != '\r' && c != -1; c = file.get()) keep(c);
+    keep('\n');
 }
 
 }  // namespace
 
-std::string readWord(InputFile& file, std::string_view what) {
+std::string readWord(InputFile& file, std::string_view what, std::string* comments) {
     int c = file.get();
     while (isSpace(c) || c == '#') {
-        if (c == '#') skipComment(file);
+        if (c == '#') readComment(file, comments);
         c = file.get();
     }
     if (c == -1) file.invalid("truncated: the file ends where {} was expected", what);
@@ -29,12 +35,12 @@ std::string readWord(InputFile& file, std::string_view what) {
         word += char(c);
         if (word.size() > kMaxWord) file.invalid("found {:?}..., expected {}", word, what);
     }
-    if (c == '#') skipComment(file);
+    if (c == '#') readComment(file, comments);
     return word;
 }
 
-std::int64_t readNumber(InputFile& file, std::string_view what) {
-    const std::string word = readWord(file, what);
+std::int64_t readNumber(InputFile& file, std::string_view what, std::string* comments) {
+    const std::string word = readWord(file, what, comments);
     std::int64_t number = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
     if (error != std::errc() || end != word.data() + word.size() || number < 0)

@@ -3,6 +3,7 @@
 
 #include "image/codecs.h"
 #include "image/coloursink.h"
+#include "image/geoidcomments.h"
 #include "image/netpbm.h"
 
 // PGM and PPM as netpbm's own pages describe them: sizes and maxval in text, then rows from the top, plain numbers
@@ -12,7 +13,8 @@ namespace dsphere {
 namespace {
 
 struct Header {
-    std::string type;  ///< "16-bit PGM"
+    std::string type;      ///< "16-bit PGM"
+    std::string comments;  ///< those of the header, a line each
     bool plain = false;
     int channels = 1, sample_bytes = 1;
     int width = 0, height = 0, maxval = 0;
@@ -22,17 +24,17 @@ struct Header {
 };
 
 Header readHeader(InputFile& file) {
-    const std::string magic = readWord(file, "P2, P3, P5 or P6");
+    Header header;
+    const std::string magic = readWord(file, "P2, P3, P5 or P6", &header.comments);
     if (magic != "P2" && magic != "P3" && magic != "P5" && magic != "P6")
         file.invalid("found {:?}, expected P2, P3, P5 or P6", magic);
-    Header header;
     header.plain = magic < "P5";
     header.channels = magic == "P3" || magic == "P6" ? 3 : 1;
     const std::string format = header.channels == 3 ? "PPM" : "PGM";
-    const std::int64_t width = readNumber(file, "the width of a " + format);
-    const std::int64_t height = readNumber(file, "the height of a " + format);
+    const std::int64_t width = readNumber(file, "the width of a " + format, &header.comments);
+    const std::int64_t height = readNumber(file, "the height of a " + format, &header.comments);
     checkSize(file, format, width, height);
-    const std::int64_t maxval = readNumber(file, "the maxval of a " + format);
+    const std::int64_t maxval = readNumber(file, "the maxval of a " + format, &header.comments);
     if (maxval < 1 || maxval > 65535) file.invalid("{}: maxval is {}, expected 1 to 65535", format, maxval);
     header.width = int(width);
     header.height = int(height);
@@ -95,6 +97,7 @@ RawMap readPnm(InputFile& file) {
             map.samples.push_back(colours.grey(float(row[k]), float(row[k + 1]), float(row[k + 2])));
     });
     colours.report(map, file.name());
+    applyGeoidComments(header.comments, map, file.name());
     return map;
 }
 

@@ -22,8 +22,8 @@ struct RawMap {
     std::optional<double> value_scale, value_offset;  ///< height in `unit` = value_offset + value_scale * stored
     std::string unit;                                 ///< of heights, where the file says it: "m"
     std::string type;                                 ///< "16-bit PNG", "float32 GTX": for messages and reports
-    /// The file itself says which texels are unknown (a nodata value, alpha, a mask): their samples are NaN. Such
-    /// texels are filled like those of the scene's `nodata`; without this flag NaN is an error.
+    /// The file itself says which texels are unknown (a nodata value, alpha, a mask): their samples are NaN, and they
+    /// are filled like those of the scene's `nodata`.
     bool unknown_are_nan = false;
     Notices notices;  ///< what the reader has to say of the file
 };

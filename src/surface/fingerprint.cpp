@@ -10,9 +10,10 @@ void Hash::bytes(const void* data, std::size_t count) {
         std::memcpy(&next, from, 8);
         word(next);
     }
+    if (count == 0) return;  // `data` may be null then, which memcpy must not be given
     std::uint64_t rest = 0;
     std::memcpy(&rest, from, count);
-    if (count > 0) word(rest);
+    word(rest);
 }
 
 namespace {

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "surface/blur.h"
 #include "surface/fill.h"
+#include "surface/preparemap.h"
 
 namespace dsphere {
 namespace {
@@ -19,18 +20,10 @@ float meanOfRow(const Heightmap& map, int j) {
     return float(sum / map.width);
 }
 
-void requireFinite(const Heightmap& map, const Nodata& nodata) {
-    const auto bad = std::ranges::find_if_not(map.samples, [&](float s) { return std::isfinite(s) || nodata.is(s); });
-    if (bad == map.samples.end()) return;
-    const std::size_t index = std::size_t(bad - map.samples.begin()), width = std::size_t(map.width);
-    throwInvalid("{}: the sample at column {}, row {} is {}, expected a finite number", map.path, index % width,
-                 index / width, *bad);
-}
-
 void fill(Heightmap& map, const Nodata& nodata) {
     map.nodata_count = fillNodata(map.samples, map.width, map.height, nodata);
     if (map.nodata_count == map.samples.size())
-        throwInvalid("{}: every one of the {}x{} texels holds the nodata value", map.path, map.width, map.height);
+        throwInvalid("{}: every one of the {}x{} texels is unknown (nodata)", map.path, map.width, map.height);
 }
 
 /// "column 3, row 0 (latitude 89.75, longitude -178.25 degrees)", the latter in the map's own range.
@@ -62,6 +55,7 @@ std::string describeTexel(const Heightmap& map, std::size_t index) {
 Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape) {
     assert(raw.width > 0 && raw.height > 0);
     assert(raw.samples.size() == std::size_t(raw.width) * std::size_t(raw.height));
+    prepareMap(raw, shape);
     Heightmap map;
     map.width = raw.width;
     map.height = raw.height;
@@ -73,7 +67,6 @@ Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape) {
     map.type = std::move(raw.type);
     map.notices = std::move(raw.notices);
     const Nodata nodata(shape.nodata, raw.unknown_are_nan);
-    requireFinite(map, nodata);
     if (map.registration == Registration::Gridline && map.height < 2)
         throwInvalid("{}: a map of gridline registration has {} row, expected at least 2, one at each pole", map.path,
                      map.height);

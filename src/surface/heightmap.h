@@ -28,10 +28,10 @@ struct Heightmap {
     float at(int i, int j) const { return samples[std::size_t(j) * std::size_t(width) + std::size_t(i)]; }
 };
 
-/// Reads the shape's map, fills its nodata texels (fillNodata), then blurs it (blurMap), then forms the poles; applies
-/// its registration and longitude origin (the scene's, else the file's own, else texel and -180). An empty map path
-/// gives a 1x1 map of 0. Throws Error (InvalidInput): unreadable file, a non-finite sample that is not nodata (names
-/// column and row), nothing but nodata, gridline registration with fewer than 2 rows.
+/// Reads the shape's map, prepares it (prepareMap), fills its unknown texels (fillNodata), then blurs it (blurMap),
+/// then forms the poles; applies its registration and longitude origin (the scene's, else the file's own, else texel
+/// and -180). An empty map path gives a 1x1 map of 0. Throws Error (InvalidInput): unreadable file, nothing but unknown
+/// texels, gridline registration with fewer than 2 rows.
 Heightmap loadHeightmap(const DisplacedSphere& shape);
 
 /// The same from samples already in memory (tests, generated maps).

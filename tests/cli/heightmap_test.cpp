@@ -83,6 +83,19 @@ TEST_F(HeightmapTest, UnknownTexelsAreFilledAndCounted) {
     EXPECT_EQ(json::parse(outcome.out)["maps"][0]["nodata_texels"], 2);
 }
 
+TEST_F(HeightmapTest, WhatIsNoHeightIsWarnedOf) {
+    folder_.write("endless.pfm", pfmFile(2, 1, {1.0f, std::numeric_limits<float>::infinity()}, true));
+    folder_.write("endless.pbrt", "WorldBegin\nShape \"displacedsphere\" \"string displacementmap\" \"endless.pfm\"\n");
+    Outcome outcome = run({"render", "endless.pbrt", "--quick", "-o", "a.exr"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(holds(outcome.err,
+                      "dsphere: warning: endless.pfm: 1 of 2 texels hold no number that could be a height, "
+                      "the first inf at column 1, row 0: they count as unknown"));
+    folder_.write("colours.ppm", pnmFile(2, 1, 255, {1, 2, 4, 90, 7, 7}));
+    EXPECT_TRUE(holds(run({"render", "colours.ppm", "--quick", "-o", "a.exr"}).err,
+                      "dsphere: warning: colours.ppm: its red, green and blue channels differ"));
+}
+
 TEST_F(HeightmapTest, AScenesNodataIsCounted) {
     folder_.write("map.pgm", pnmFile(4, 2, 65535, {1, 9, 2, 9, 3, 4, 5, 6}));
     folder_.write("gaps.pbrt", planet("\"float nodata\" 9"));
@@ -108,8 +121,6 @@ TEST_F(HeightmapTest, Errors) {
     expectFailure(run({"render", "noise.bin"}), 3, "error: noise.bin: unknown format: it begins with the bytes 01 02");
     folder_.write("photo.jpg", std::string("\xff\xd8\xff\xe0", 4));
     expectFailure(run({"render", "photo.jpg"}), 3, "JPEG image, which loses heights");
-    folder_.write("endless.pfm", pfmFile(2, 1, {1.0f, std::numeric_limits<float>::infinity()}, true));
-    expectFailure(run({"render", "endless.pfm"}), 3, "error: endless.pfm: the sample at column 1, row 0 is inf");
     writePgm16(path("steep.pgm"), fractalMap(64, 32));
     expectFailure(run({"render", "steep.pgm", "--exaggeration", "-30"}), 3, "error: steep.pgm: the displaced radius");
 }

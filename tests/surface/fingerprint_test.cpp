@@ -88,6 +88,10 @@ TEST(Hash, TellsLengthsAndTails) {
         hash.bytes(zeros, count);
         EXPECT_TRUE(seen.insert(hash.value()).second) << count;
     }
+    Hash nothing, null;
+    nothing.bytes(zeros, 0);
+    null.bytes(nullptr, 0);
+    EXPECT_EQ(null.value(), nothing.value());
 }
 
 }  // namespace

@@ -88,15 +88,6 @@ TEST(Heightmap, TheSceneOverridesTheFile) {
     EXPECT_EQ(overridden.longitude_origin, 30.0);
 }
 
-TEST(Heightmap, RefusesNonFiniteSamples) {
-    for (const float bad : {std::nanf(""), std::numeric_limits<float>::infinity()}) {
-        const std::string message = messageOf(ExitCode::InvalidInput, [&] {
-            makeHeightmap(rawOf(3, 2, {1, 2, 3, 4, bad, bad}), shapeOf());
-        });
-        EXPECT_TRUE(holds(message, "map.pfm: the sample at column 1, row 1 is"));
-    }
-}
-
 TEST(Heightmap, LoadsTheShapesFile) {
     const TempFolder folder;
     DisplacedSphere shape = shapeOf();
