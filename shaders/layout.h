@@ -63,7 +63,8 @@ using uint = std::uint32_t;
 #define SPEC_ONLY_DISPLACED 22  // the scene's only displaced sphere, by its index; -1: it has none or several
 #define SPEC_ONLY_PLAIN 23      // the same of all other objects
 #define SPEC_TURNS 24           // pixels that an invocation takes, one after the other; WITH_PATHS alone
-#define SPEC_COUNT 25
+#define SPEC_HIDE_DISTANCE 25   // 1: camera rays that miss see no infinite light; WITH_PATHS alone
+#define SPEC_COUNT 26
 
 #define MARCHER_EXACT 0
 #define MARCHER_NAIVE 1        // the seed's: from the camera
@@ -108,39 +109,40 @@ using uint = std::uint32_t;
 #define IMAGE_CODES 1   // a word a texel: 8-bit sRGB codes, R lowest. The image's first row holds their light, as float
 #define IMAGE_FLOATS 2  // planes of R, G and B, float, one below the other
 
-// Film planes in the order of their layers; a film holds only those of its mask. COLOUR is accumulated over samples,
-// all others belong to the ray through the pixel's centre. OBJECT_ planes are for verify: in units of R, float as
-// computed, before any transform to world.
+// Film planes in the order of their layers; a film holds only those of its mask. R, G, B and A are accumulated over
+// samples, all others belong to the ray through the pixel's centre. OBJECT_ planes are for verify: in units of R, float
+// as computed, before any transform to world.
 #define PLANE_R 0
 #define PLANE_G 1
 #define PLANE_B 2
-#define PLANE_T 3
-#define PLANE_PX 4
-#define PLANE_PY 5
-#define PLANE_PZ 6
-#define PLANE_NX 7
-#define PLANE_NY 8
-#define PLANE_NZ 9
-#define PLANE_NSX 10
-#define PLANE_NSY 11
-#define PLANE_NSZ 12
-#define PLANE_U 13
-#define PLANE_V 14
-#define PLANE_ALBEDO_R 15
-#define PLANE_ALBEDO_G 16
-#define PLANE_ALBEDO_B 17
-#define PLANE_ID 18
-#define PLANE_LIT 19
-#define PLANE_STEPS 20
-#define PLANE_RESIDUAL 21
-#define PLANE_OBJECT_PX 22
-#define PLANE_OBJECT_PY 23
-#define PLANE_OBJECT_PZ 24
-#define PLANE_START_X 25  // P', the origin of shadow rays
-#define PLANE_START_Y 26
-#define PLANE_START_Z 27
-#define PLANE_FLAGS 28  // bit 0: inside, bit 1: the step limit ended the march (never, if all is well)
-#define PLANE_COUNT 29
+#define PLANE_A 3  // the share of samples that hit something
+#define PLANE_T 4
+#define PLANE_PX 5
+#define PLANE_PY 6
+#define PLANE_PZ 7
+#define PLANE_NX 8
+#define PLANE_NY 9
+#define PLANE_NZ 10
+#define PLANE_NSX 11
+#define PLANE_NSY 12
+#define PLANE_NSZ 13
+#define PLANE_U 14
+#define PLANE_V 15
+#define PLANE_ALBEDO_R 16
+#define PLANE_ALBEDO_G 17
+#define PLANE_ALBEDO_B 18
+#define PLANE_ID 19
+#define PLANE_LIT 20
+#define PLANE_STEPS 21
+#define PLANE_RESIDUAL 22
+#define PLANE_OBJECT_PX 23
+#define PLANE_OBJECT_PY 24
+#define PLANE_OBJECT_PZ 25
+#define PLANE_START_X 26  // P', the origin of shadow rays
+#define PLANE_START_Y 27
+#define PLANE_START_Z 28
+#define PLANE_FLAGS 29  // bit 0: inside, bit 1: the step limit ended the march (never, if all is well)
+#define PLANE_COUNT 30
 
 // Loops of one invocation share 65,535 back-edges on lavapipe, all rays of its pixels together, and end silently there;
 // its whole SIMD group shares them, and pays the sum where its lanes are not long at once. A march takes some 25 on

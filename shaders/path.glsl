@@ -213,7 +213,8 @@ void extendPath(inout Path path, const Rules rules) {
     path.result.searches.steps += point.steps;
     if (n == 0) path.result.point = point;
     path.going = !path.result.searches.doubtful && kWantsLight;
-    if (path.going && sceneHasMetLights())
+    bool hidden = kHideDistance != 0 && n == 0 && !point.hit;
+    if (path.going && sceneHasMetLights() && !hidden)
         path.result.colour += path.throughput * emitted(point, segmentDirection(path.segment), path.departure);
     path.going = path.going && point.hit;
     if (path.going) {

@@ -48,9 +48,19 @@ void put(const ivec2 pixel, const int plane, const vec3 value) {
     put(pixel, plane + 2, value.z);
 }
 
+// What the samples before have added up to; films that accumulate hold R, G and B, and perhaps A.
+float storedSum(const ivec2 pixel, const int plane) {
+    return uintBitsToFloat(imageLoad(film, ivec3(pixel, plane)).x);
+}
+
 vec3 storedColour(const ivec2 pixel) {
-    return vec3(uintBitsToFloat(imageLoad(film, ivec3(pixel, 0)).x), uintBitsToFloat(imageLoad(film, ivec3(pixel, 1)).x),
-                uintBitsToFloat(imageLoad(film, ivec3(pixel, 2)).x));
+    return vec3(storedSum(pixel, PLANE_R), storedSum(pixel, PLANE_G), storedSum(pixel, PLANE_B));
+}
+
+void putAlpha(const ivec2 pixel, const bool hit, const int sample_index) {
+    if (!wants(PLANE_A)) return;
+    float alpha = hit ? 1.0 : 0.0;
+    put(pixel, PLANE_A, sample_index > 0 ? storedSum(pixel, PLANE_A) + alpha : alpha);
 }
 
 void putGeometry(const ivec2 pixel, const SurfacePoint point) {
@@ -136,6 +146,7 @@ void finish(const Task task, const Gathered gathered, const int sample_index) {
         return;
     }
     putGeometry(task.pixel, gathered.point);
+    putAlpha(task.pixel, gathered.point.hit, sample_index);
     put(task.pixel, PLANE_ALBEDO_R, gathered.albedo);
     put(task.pixel, PLANE_LIT, gathered.lit);
     if (kWantsColour)

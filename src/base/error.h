@@ -31,6 +31,12 @@ class Error : public std::runtime_error {
     ExitCode code_;
 };
 
+/// Throws an Error for a wrong command line: exit code 2.
+template <typename... Args>
+[[noreturn]] void throwUsage(fmt::format_string<Args...> format, Args&&... args) {
+    throw Error(ExitCode::Usage, fmt::format(format, std::forward<Args>(args)...));
+}
+
 /// Throws an Error for bad user input (scene or map): exit code 3.
 template <typename... Args>
 [[noreturn]] void throwInvalid(fmt::format_string<Args...> format, Args&&... args) {

@@ -1,8 +1,8 @@
+#include "base/atomicfile.h"
 #include "bench/columns.h"
 #include "bench/figures.h"
 #include "bench/report.h"
 #include "bench/svg.h"
-#include "image/atomicfile.h"
 
 #include <fmt/format.h>
 

@@ -181,7 +181,9 @@ Results fromJson(const Json& json, const std::string& name) {
             throwInvalid("{}: has format {}; this version reads {}", name, format, kFormat);
         Reader::value(json, results);
     } catch (const Json::exception& error) {
-        throwInvalid("{}: {}", name, error.what());
+        // "[json.exception.out_of_range.403] key 'views' not found": the library's own name is no one's concern.
+        const std::string_view what = error.what();
+        throwInvalid("{}: {}", name, what.substr(what.find(']') + 2));
     }
     return results;
 }

@@ -9,6 +9,8 @@
 #include "bench/suite.h"
 #include "bench/table.h"
 #include "cli/commands.h"
+#include "cli/outputs.h"
+#include "cli/print.h"
 #include "cli/sceneoptions.h"
 #include "image/picture.h"
 
@@ -50,10 +52,16 @@ void makeQuick(bench::Suite& suite, bench::Plan& plan, const BenchOptions& optio
                                                      : std::vector<std::string>{});
 }
 
-std::vector<bench::Source> sceneSources(const BenchOptions& options) {
+/// What is to be measured, and the files that it takes.
+struct Work {
+    std::vector<bench::Source> sources;
+    std::vector<NamedFile> inputs;
+};
+
+Work sceneWork(const BenchOptions& options) {
     if (!options.maps.empty() || !options.displacements.empty() || !options.views.empty())
         throw Error(ExitCode::Usage, "--maps, --displacements and --views are of the default suite, not of scenes");
-    std::vector<bench::Source> sources;
+    Work work;
     for (const std::string& name : options.scenes) {
         SceneOptions scene_options;
         scene_options.scene = name;
@@ -62,30 +70,51 @@ std::vector<bench::Source> sceneSources(const BenchOptions& options) {
         // Parsed before anything is measured: a mistake in the last scene must not cost the first one's time.
         Scene scene = loadScene(scene_options);
         bench::requirePlanet(scene);
-        sources.push_back({[scene] { return bench::sceneWorkload(scene); }, 1});
+        work.sources.push_back({[scene] { return bench::sceneWorkload(scene); }, 1});
+        for (NamedFile& file : inputsOf(scene)) work.inputs.push_back(std::move(file));
     }
-    return sources;
+    return work;
 }
 
-std::vector<bench::Source> chooseSources(bench::Suite suite, const BenchOptions& options) {
-    if (!options.scenes.empty()) return sceneSources(options);
+Work chooseWork(bench::Suite suite, const BenchOptions& options) {
+    if (!options.scenes.empty()) return sceneWork(options);
     if (!options.maps.empty()) suite.widths = options.maps;
     if (!options.displacements.empty()) suite.percents = options.displacements;
     if (!options.resolution.empty()) suite.width = options.resolution[0], suite.height = options.resolution[1];
     suite.views = options.views;
-    return bench::suiteSources(suite);
+    return {bench::suiteSources(suite), {}};
+}
+
+// Beside the report in Markdown.
+std::filesystem::path figurePath(const BenchOptions& options) {
+    return std::filesystem::path(options.markdown).replace_extension(".svg");
+}
+
+void checkReports(const BenchOptions& options, std::vector<NamedFile> inputs) {
+    std::vector<NamedFile> outputs;
+    const auto add = [&](const std::filesystem::path& path, const char* option) {
+        if (!path.empty()) outputs.push_back({path, option});
+    };
+    add(options.csv, "--csv");
+    add(options.json, "--json-file");
+    add(options.html, "--html");
+    add(options.markdown, "--markdown");
+    if (!options.markdown.empty()) add(figurePath(options), "--markdown's figure");
+    add(options.beside_mesh, "--beside-mesh");
+    if (!options.baseline.empty()) inputs.push_back({options.baseline, "the baseline"});
+    checkOutputs(outputs, inputs);
 }
 
 void writeReports(const BenchOptions& options, const bench::Results& results) {
     auto write = [&](const std::filesystem::path& path, const std::string& text) {
         bench::writeText(path, text);
-        if (!options.common.quiet) fmt::print(stderr, "wrote {}\n", path.string());
+        if (!options.common.quiet) printErr("wrote {}\n", path.string());
     };
     if (!options.csv.empty()) write(options.csv, bench::csv(results));
-    if (!options.json.empty()) write(options.json, bench::toJson(results).dump(2) + "\n");
+    if (!options.json.empty()) write(options.json, jsonText(bench::toJson(results)));
     if (!options.html.empty()) write(options.html, bench::html(results));
     if (options.markdown.empty()) return;
-    std::filesystem::path figure = std::filesystem::path(options.markdown).replace_extension(".svg");
+    const std::filesystem::path figure = figurePath(options);
     std::string drawing = bench::figureFile(results);
     if (!drawing.empty()) write(figure, drawing);
     write(options.markdown, bench::markdown(results, drawing.empty() ? "" : figure.filename().string()));
@@ -94,17 +123,18 @@ void writeReports(const BenchOptions& options, const bench::Results& results) {
 // In place of a measurement.
 int runSideBySide(const BenchOptions& options) {
     if (options.scenes.size() != 1) throw Error(ExitCode::Usage, "--beside-mesh draws one scene: name it");
-    checkWritable(options.beside_mesh);
-    const bench::Workload workload = sceneSources(options)[0].make();
+    const Work work = sceneWork(options);
+    checkReports(options, work.inputs);
+    const bench::Workload workload = work.sources[0].make();
     gpu::Device device = openDevice(options.common);
     const bench::SideBySide drawn = bench::drawSideBySide(device, workload);
     checkValidation(device);
     writePng(options.beside_mesh, drawn.picture);
-    fmt::print("pixels that both hit  {}\nthat one alone hits   {}\nin other shadow       {}\n", drawn.hits,
-               drawn.one_sided, drawn.other_shadow);
-    fmt::print("normals               median {:.3f}, greatest {:.1f} degrees apart (white: {} degrees)\n",
-               drawn.median_degrees, drawn.greatest_degrees, bench::kWhiteDegrees);
-    fmt::print("shades                {:.5f} apart in the mean (white: {})\n", drawn.mean_shade, bench::kWhiteShade);
+    print("pixels that both hit  {}\nthat one alone hits   {}\nin other shadow       {}\n", drawn.hits, drawn.one_sided,
+          drawn.other_shadow);
+    print("normals               median {:.3f}, greatest {:.1f} degrees apart (white: {} degrees)\n",
+          drawn.median_degrees, drawn.greatest_degrees, bench::kWhiteDegrees);
+    print("shades                {:.5f} apart in the mean (white: {})\n", drawn.mean_shade, bench::kWhiteShade);
     return int(ExitCode::Ok);
 }
 
@@ -117,15 +147,14 @@ int runBench(const BenchOptions& options) {
     plan.repeats = options.repeats.value_or(plan.repeats);
     plan.setups = std::min(plan.setups, plan.repeats);
     plan.samples = options.samples.value_or(plan.samples);
-    std::vector<bench::Source> sources = chooseSources(suite, options);
-    for (const std::string& path : {options.csv, options.json, options.html, options.markdown})
-        if (!path.empty()) checkWritable(path);
+    const Work work = chooseWork(suite, options);
+    checkReports(options, work.inputs);
     std::optional<bench::Results> before;
     if (!options.baseline.empty()) before = bench::readResults(options.baseline);
 
     const double load = bench::systemLoad();
     if (load > 0.5 * std::thread::hardware_concurrency() && !options.common.quiet)
-        fmt::print(stderr, "the machine is busy (load {:.1f}): speeds will be low and uneven\n", load);
+        printErr("the machine is busy (load {:.1f}): speeds will be low and uneven\n", load);
     auto start = std::chrono::steady_clock::now();
     // No caches: set-up times are of shaders that no driver has seen.
     gpu::Device device = openDevice(options.common, false);
@@ -133,7 +162,7 @@ int runBench(const BenchOptions& options) {
     bench::Results results;
     {
         ProgressLine line(options.common.progress, options.common.quiet, "bench");
-        results.views = bench::measure(device, sources, plan, [&](double share) { return line.update(share); });
+        results.views = bench::measure(device, work.sources, plan, [&](double share) { return line.update(share); });
     }
     checkValidation(device);
     results.environment = bench::describeEnvironment(device, opening.count(), load);
@@ -143,10 +172,10 @@ int runBench(const BenchOptions& options) {
     writeReports(options, results);
     std::string changes = before ? bench::changes(results, *before) : "";
     if (options.common.json) {
-        fmt::print("{}\n", bench::toJson(results).dump(2));
-        fmt::print(stderr, "{}", changes);
+        printText(jsonText(bench::toJson(results)));
+        printErrorText(changes);
     } else {
-        fmt::print("{}{}", bench::table(results), changes);
+        print("{}{}", bench::table(results), changes);
     }
     return int(ExitCode::Ok);
 }

@@ -3,7 +3,6 @@
 #include "base/error.h"
 
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 namespace dsphere::cli {
 
@@ -22,16 +21,6 @@ void addProgressOption(CLI::App& command, ProgressMode& progress) {
         command, "--progress", progress,
         {{"auto", ProgressMode::Auto}, {"always", ProgressMode::Always}, {"never", ProgressMode::Never}},
         "Progress line: on a terminal (auto, the default), always or never", "auto|always|never");
-}
-
-void checkWritable(const std::filesystem::path& path) {
-    std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    if (!std::filesystem::is_directory(folder))
-        throwFailure("{}: the folder {} does not exist", path.string(), folder.string());
-    if (access(folder.c_str(), W_OK) != 0)
-        throwFailure("{}: the folder {} cannot be written to: {}", path.string(), folder.string(), lastSystemError());
-    if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
-        throwFailure("{}: exists and is not a regular file", path.string());
 }
 
 gpu::Device openDevice(const CommonOptions& options, bool caches) {

@@ -39,9 +39,6 @@ CLI::Option* addChoice(CLI::App& command, const std::string& name, T& value, con
     return command.add_option_function<std::string>(name, choose, help)->type_name(words);
 }
 
-/// Error (Failure) if no file could be made there, before any work is done for it.
-void checkWritable(const std::filesystem::path& path);
-
 /// The device that the options ask for.
 gpu::Device openDevice(const CommonOptions& options, bool caches = true);
 

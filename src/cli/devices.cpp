@@ -1,4 +1,5 @@
 #include "cli/commands.h"
+#include "cli/print.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -19,12 +20,12 @@ int runDevices(bool json) {
                             {"api_version", device.api_version},
                             {"usable", device.usable},
                             {"unusable_reason", device.unusable_reason}});
-        fmt::print("{}\n", list.dump(2));
+        printText(jsonText(list));
         return 0;
     }
     for (const auto& device : devices)
-        fmt::print("{}  {}  ({}, {}, Vulkan {}){}\n", device.index, device.name, device.type, device.driver,
-                   device.api_version, device.usable ? "" : "  unusable: " + device.unusable_reason);
+        print("{}  {}  ({}, {}, Vulkan {}){}\n", device.index, device.name, device.type, device.driver,
+              device.api_version, device.usable ? "" : "  unusable: " + device.unusable_reason);
     return 0;
 }
 

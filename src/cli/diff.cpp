@@ -1,5 +1,7 @@
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/outputs.h"
+#include "cli/print.h"
 #include "image/flip.h"
 #include "image/metrics.h"
 #include "image/picture.h"
@@ -30,25 +32,19 @@ struct Result {
     std::optional<double> flip;                  ///< its mean
 };
 
-[[noreturn]] void throwUsage(const std::string& message) {
-    throw Error(ExitCode::Usage, message);
-}
-
 // Wrong options must not cost a comparison first.
 void checkOptions(const DiffOptions& options) {
     bool flips = options.channels.empty();
     if (options.threshold && !(*options.threshold >= 0.0))
-        throwUsage(fmt::format("--threshold: {} is not 0 or more", *options.threshold));
+        throwUsage("--threshold: {} is not 0 or more", *options.threshold);
     if (options.metric == Metric::Flip && !flips) throwUsage("--metric flip is of R, G, B, not of a --channel");
     if (options.outfile.empty()) return;
-    std::string extension = std::filesystem::path(options.outfile).extension().string();
+    const std::string extension = extensionOf(options.outfile);
     if (extension != ".png" && extension != ".exr")
-        throwUsage(
-            fmt::format("{}: unknown picture format '{}'; .png and .exr are supported", options.outfile, extension));
+        throwUsage("{}: unknown picture format '{}'; .png and .exr are supported", options.outfile, extension);
     if (extension == ".png" && !flips)
-        throwUsage(
-            fmt::format("{}: a PNG shows FLIP, which is of R, G, B, not of a --channel; write .exr", options.outfile));
-    checkWritable(options.outfile);
+        throwUsage("{}: a PNG shows FLIP, which is of R, G, B, not of a --channel; write .exr", options.outfile);
+    checkOutputs({{options.outfile, "--outfile"}}, {{options.a, "picture A"}, {options.b, "picture B"}});
 }
 
 std::string sizeOf(const Box& box) {
@@ -68,7 +64,7 @@ void requireChannels(const std::string& name, const Image& image, const std::vec
 // A PNG knows no place on a film: a crop's window counts only between two EXR files.
 void requireSameWindow(const DiffOptions& options, const Image& a, const Image& b) {
     bool sizes = a.data.width() == b.data.width() && a.data.height() == b.data.height();
-    auto exr = [](const std::string& name) { return std::filesystem::path(name).extension() != ".png"; };
+    auto exr = [](const std::string& name) { return extensionOf(name) != ".png"; };
     if (sizes && (a.data == b.data || !exr(options.a) || !exr(options.b))) return;
     throwInvalid("the sizes differ: {} is {}, {} is {}", options.a, sizeOf(a.data), options.b, sizeOf(b.data));
 }
@@ -120,19 +116,19 @@ void printJson(const DiffOptions& options, const Result& result, bool beyond) {
                          {"a", finite(c.worst->a)},
                          {"b", finite(c.worst->b)}};
     if (options.threshold) json["within_threshold"] = !beyond;
-    fmt::print("{}\n", json.dump(2));
+    printText(jsonText(json));
 }
 
 void printTable(const Result& result) {
     const Comparison& c = result.comparison;
-    fmt::print("MAE    {:.6g}\nRMSE   {:.6g}\nPSNR   {:.4g} dB\n", c.mae, c.rmse, c.psnr);
-    if (result.flip) fmt::print("FLIP   {:.6g}\n", *result.flip);
+    print("MAE    {:.6g}\nRMSE   {:.6g}\nPSNR   {:.4g} dB\n", c.mae, c.rmse, c.psnr);
+    if (result.flip) print("FLIP   {:.6g}\n", *result.flip);
     if (!c.worst)
-        fmt::print("worst  none: the pictures are equal\n");
+        print("worst  none: the pictures are equal\n");
     else
-        fmt::print("worst  {:.6g} at pixel {}, {} in {}: {:.9g} against {:.9g}\n", c.max, c.worst->x, c.worst->y,
-                   c.worst->channel, c.worst->a, c.worst->b);
-    if (c.non_finite > 0) fmt::print("{} values are NaN or infinite in one picture only\n", c.non_finite);
+        print("worst  {:.6g} at pixel {}, {} in {}: {:.9g} against {:.9g}\n", c.max, c.worst->x, c.worst->y,
+              c.worst->channel, c.worst->a, c.worst->b);
+    if (c.non_finite > 0) print("{} values are NaN or infinite in one picture only\n", c.non_finite);
 }
 
 double metricOf(const Result& result, Metric metric) {
@@ -159,7 +155,7 @@ int runDiff(const DiffOptions& options) {
     requireChannels(options.b, b, channels);
     Result result = compare(options, a, b, channels);
     if (!options.outfile.empty()) {
-        bool png = std::filesystem::path(options.outfile).extension() == ".png";
+        bool png = extensionOf(options.outfile) == ".png";
         writePicture(options.outfile, png ? flipPicture(a, *result.flip_map) : differencePicture(a, b, channels), {});
     }
     bool beyond = options.threshold && metricOf(result, options.metric) > *options.threshold;

@@ -2,6 +2,8 @@
 
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/outputs.h"
+#include "cli/print.h"
 #include "image/greymap.h"
 
 #include <nlohmann/json.hpp>
@@ -35,7 +37,7 @@ int runGenerate(const GenerateOptions& options) {
     if (width < 1 || height < 1 || width > kMost || height > kMost)
         throw Error(ExitCode::Usage, fmt::format("--size: {}x{} is outside 1 to {}", width, height, kMost));
     checkGreyMapName(options.outfile);
-    checkWritable(options.outfile);
+    checkOutputs({{options.outfile, "--outfile"}}, {});
     const MapGenerator generator(options.kind, width, height, options.seed);
     {
         ProgressLine line(options.progress, options.quiet, "generate");
@@ -47,7 +49,7 @@ int runGenerate(const GenerateOptions& options) {
     nlohmann::ordered_json json = {{"map", options.outfile}, {"kind", nameOf(options.kind)},
                                    {"width", width},         {"height", height},
                                    {"seed", options.seed},   {"bytes", std::filesystem::file_size(options.outfile)}};
-    fmt::print("{}\n", json.dump(2));
+    printText(jsonText(json));
     return int(ExitCode::Ok);
 }
 

@@ -1,6 +1,7 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/describe.h"
+#include "cli/print.h"
 #include "cli/sceneoptions.h"
 #include "image/rawmap.h"
 #include "scene/parser.h"
@@ -158,12 +159,12 @@ void printText(const Json& json, int indent) {
         if (value.is_array() && !value.empty() && value[0].is_number()) {
             std::string line;
             for (const Json& item : value) line += plainText(item) + " ";
-            fmt::print("{:<24}{}\n", label, line.substr(0, line.size() - 1));
+            print("{:<24}{}\n", label, line.substr(0, line.size() - 1));
         } else if (value.is_structured() && !value.empty()) {
-            fmt::print("{}\n", label);
+            print("{}\n", label);
             printText(value, indent + 2);
         } else {
-            fmt::print("{:<24}{}\n", label, value.is_array() ? "none" : plainText(value));
+            print("{:<24}{}\n", label, value.is_array() ? "none" : plainText(value));
         }
     }
 }
@@ -171,7 +172,7 @@ void printText(const Json& json, int indent) {
 int runInfo(const std::string& path, bool as_json) {
     Json json = isHeightmap(path) ? describeMapFile(path) : describeSceneFile(path);
     if (as_json)
-        fmt::print("{}\n", json.dump(2));
+        printText(jsonText(json));
     else
         printText(json, 0);
     return int(ExitCode::Ok);

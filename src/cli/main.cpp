@@ -1,9 +1,15 @@
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/print.h"
+#include "cli/signals.h"
+#include "cli/words.h"
 
 #include <fmt/format.h>
 
 #include <csignal>
+#include <filesystem>
+#include <sstream>
+#include <system_error>
 
 namespace dsphere::cli {
 
@@ -30,14 +36,28 @@ int run(int argc, char** argv) {
     addInfo(app, action);
     addGenerate(app, action);
     addDevices(app, action);
+    checkWords(app, argc, argv);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-        throw Error(ExitCode::Usage, fmt::format("{}; see dsphere --help", error.what()));
+        if (error.get_exit_code() != 0) throw Error(ExitCode::Usage, explained(app, error));
+        std::ostringstream help, nothing;  // --help, --version
+        app.exit(error, help, nothing);
+        printText(help.str());
+        return int(ExitCode::Ok);
     }
-    catchSignals();
     return action();
+}
+
+std::string messageOf(const std::filesystem::filesystem_error& error) {
+    return fmt::format("{}: {}", error.path1().string(), error.code().message());
+}
+
+// A thread that could not be started is short of memory, or of the processes that the user may have.
+std::string messageOf(const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again)
+        return "no further thread could be started: memory, or the number of processes allowed, is short";
+    return error.code().message();
 }
 
 }  // namespace
@@ -47,13 +67,21 @@ int run(int argc, char** argv) {
 // The one place that catches: every failure becomes a line on standard error and an exit code.
 int main(int argc, char** argv) {
     using namespace dsphere;
+    cli::catchSignals();
+    cli::openClosedStreams();
     try {
-        return cli::run(argc, argv);
+        const int code = cli::run(argc, argv);
+        cli::finishOutput();
+        return code;
     } catch (const Error& error) {
         cli::printError(error.what());
         return cli::exitCodeOf(error);
     } catch (const std::bad_alloc&) {
         cli::printError("out of memory");
+    } catch (const std::filesystem::filesystem_error& error) {
+        cli::printError(cli::messageOf(error));
+    } catch (const std::system_error& error) {
+        cli::printError(cli::messageOf(error));
     } catch (const std::exception& error) {
         cli::printError(error.what());
     }

@@ -1,15 +1,16 @@
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/header.h"
+#include "cli/outputs.h"
+#include "cli/print.h"
 #include "cli/resume.h"
 #include "cli/sceneoptions.h"
+#include "cli/signals.h"
 #include "image/picture.h"
-#include "render/raster.h"
 #include "render/renderer.h"
-#include "surface/fingerprint.h"
 
-#include <nlohmann/json.hpp>
+#include <unistd.h>
 
-#include <bit>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -20,14 +21,30 @@ namespace dsphere::cli {
 
 namespace {
 
+constexpr const char* kStandardOutput = "-";
+
+enum class Format { Png, Exr };
+
 struct RenderOptions {
     CommonOptions common;
     SceneOptions scene;
     std::string outfile, aov, resume;
-    Tone tone;
+    std::optional<Format> format;
+    std::optional<double> exposure;
+    ToneCurve tone = ToneCurve::Linear;
     double clamp = 0.0;   ///< Integrator::clamp
     float detail = 0.0f;  ///< pixels; 0: exact
-    bool write_partial = false;
+    bool alpha = false, write_partial = false, reproducible = false;
+};
+
+/// Where the picture goes, and the planes that it is made of.
+struct Target {
+    std::filesystem::path path;  ///< "-": standard output
+    Format format = Format::Png;
+    std::uint32_t aovs = 0, colours = kColourPlanes;
+
+    bool isOutput() const { return path == kStandardOutput; }
+    std::string name() const { return isOutput() ? "standard output" : path.string(); }
 };
 
 using Clock = std::chrono::steady_clock;
@@ -51,75 +68,55 @@ void addDetail(CLI::App& command, float& detail) {
         ->type_name("exact|PIXELS");
 }
 
-// As pbrt stores them: row vectors, so the matrix is transposed against ours.
-std::array<float, 16> headerMatrix(const dmat4& m) {
-    std::array<float, 16> values;
-    for (int i = 0; i < 16; ++i) values[std::size_t(i)] = float(m[i / 4][i % 4]);
-    return values;
+Format formatOf(const RenderOptions& options, const std::filesystem::path& path) {
+    if (path == kStandardOutput) return options.format.value_or(Format::Png);
+    if (options.format) throwUsage("--format is for -o -; the name of a file says its format");
+    const std::string extension = extensionOf(path);
+    if (extension != ".png" && extension != ".exr")
+        throwUsage("{}: unknown picture format '{}'; .png and .exr are supported", path.string(),
+                   path.extension().string());
+    return extension == ".png" ? Format::Png : Format::Exr;
 }
 
-dmat4 ndcFromWorld(const Raster& raster) {
-    dvec2 size = raster.screen_max - raster.screen_min;
-    dmat4 ndc(1.0);  // from the screen window (over z in perspective) to [0, 1], y upward
-    ndc[0][0] = 1.0 / size.x;
-    ndc[1][1] = 1.0 / size.y;
-    dvec2 shift = -raster.screen_min / size;
-    if (raster.projection == Projection::Perspective)
-        ndc[2] = dvec4(shift, 1.0, 1.0), ndc[3] = dvec4(0.0);
-    else
-        ndc[3] = dvec4(shift, 0.0, 1.0);
-    return ndc * raster.camera_from_world;
+void checkSampling(const RenderOptions& options, int samples, std::uint32_t aovs) {
+    if (samples < 0 || samples > 65536) throwUsage("--spp: {} is outside 0 to 65536", samples);
+    if (!(options.clamp >= 0.0 && std::isfinite(options.clamp)))
+        throwUsage("--clamp: {} is not a number of 0 or more", options.clamp);
+    if (samples == 0 && !options.resume.empty()) throwUsage("--resume needs --spp above 0");
+    if (samples == 0 && !aovs) throwUsage("--spp 0 renders no colour, so it needs --aov");
+    if (options.detail > 0.0f && options.scene.marcher != Marcher::Exact)
+        throwUsage("--detail is of the exact marcher; the baselines march the map itself");
 }
 
-Metadata makeMetadata(const Scene& scene, const Origin& origin, int samples, double seconds) {
-    Metadata metadata = {{"scene", scene.name},
-                         {"samplesPerPixel", samples},
-                         {"renderTimeSeconds", float(seconds)},
-                         {"worldToCamera", headerMatrix(scene.camera.camera_from_world)},
-                         {"worldToNDC", headerMatrix(ndcFromWorld(makeRaster(scene.camera, scene.film)))}};
-    origin.tell(metadata);
-    return metadata;
-}
-
-Origin originOf(const Scene& scene, const SceneMaps& maps, const MarchMethod& method, const gpu::DeviceInfo& device) {
-    Hash hash;
-    hash.word(fingerprint(scene, maps));
-    hash.word(std::uint64_t(method.marcher));
-    hash.word(std::bit_cast<std::uint32_t>(method.threshold));
-    hash.word(std::bit_cast<std::uint32_t>(method.detail));
-    const Film& film = scene.film;
-    return {.seed = scene.sampler.seed,
-            .fingerprint = fmt::format("{:016x}", hash.value()),
-            .device = device.name,
-            .driver = device.driver,
-            .software = std::string("dsphere ") + DSPHERE_VERSION,
-            .data = cropBox(film),
-            .display = {0, 0, film.width, film.height}};
+void checkFormat(const RenderOptions& options, const Target& target) {
+    const std::string name = target.name();
+    if (options.exposure && !std::isfinite(*options.exposure))
+        throwUsage("--exposure: {} is not a finite number of stops", *options.exposure);
+    if (target.format == Format::Png && target.aovs)
+        throwUsage("{}: a PNG cannot hold --aov outputs; write .exr", name);
+    if (target.format == Format::Png) return;
+    if (options.tone != ToneCurve::Linear) throwUsage("{}: an EXR holds light as it is; --tone is for .png", name);
+    if (options.exposure) throwUsage("{}: an EXR holds light as it is; --exposure is for .png", name);
 }
 
 // Wrong options must not cost a render first.
-std::uint32_t checkOutput(const RenderOptions& options, const std::filesystem::path& path, int samples) {
-    std::uint32_t aovs = parseAovs(options.aov);
-    std::string extension = path.extension().string();
-    if (extension != ".png" && extension != ".exr")
-        throw Error(ExitCode::Usage, fmt::format("{}: unknown picture format '{}'; .png and .exr are supported",
-                                                 path.string(), extension));
-    if (extension == ".png" && aovs)
-        throw Error(ExitCode::Usage, fmt::format("{}: a PNG cannot hold --aov outputs; write .exr", path.string()));
-    if (extension == ".exr" && options.tone.curve != ToneCurve::Linear)
-        throw Error(ExitCode::Usage, fmt::format("{}: an EXR holds light as it is; --tone is for .png", path.string()));
-    if (samples < 0 || samples > 65536)
-        throw Error(ExitCode::Usage, fmt::format("--spp: {} is outside 0 to 65536", samples));
-    if (!(options.clamp >= 0.0 && std::isfinite(options.clamp)))
-        throw Error(ExitCode::Usage, fmt::format("--clamp: {} is not a number of 0 or more", options.clamp));
-    if (samples == 0 && !options.resume.empty()) throw Error(ExitCode::Usage, "--resume needs --spp above 0");
-    if (samples == 0 && !aovs) throw Error(ExitCode::Usage, "--spp 0 renders no colour, so it needs --aov");
-    checkWritable(path);
-    return aovs;
+Target checkTarget(const RenderOptions& options, const Scene& scene) {
+    Target target{.path = options.outfile.empty() ? scene.film.filename : options.outfile};
+    target.aovs = parseAovs(options.aov);
+    target.format = formatOf(options, target.path);
+    if (target.format == Format::Exr || options.alpha) target.colours |= kAlphaPlane;
+    checkFormat(options, target);
+    checkSampling(options, scene.sampler.pixel_samples, target.aovs);
+    if (target.isOutput() && options.common.json) throwUsage("-o - and --json both write to standard output");
+    if (target.isOutput() && isatty(STDOUT_FILENO))
+        throwUsage("-o -: standard output is a terminal, which shows no pictures; redirect it");
+    std::vector<NamedFile> inputs = inputsOf(scene);
+    checkOutputs({{target.path, options.outfile.empty() ? "the scene's Film" : "--outfile"}}, inputs);
+    return target;
 }
 
 struct Result {
-    std::filesystem::path picture;
+    const Target& target;
     const gpu::DeviceInfo& device;
     const Renderer& renderer;
     const SceneMaps& maps;
@@ -133,7 +130,7 @@ struct Result {
 
 void printJson(const Result& result) {
     const RenderStats& stats = result.renderer.stats();
-    nlohmann::ordered_json json = {{"picture", result.picture.string()},
+    nlohmann::ordered_json json = {{"picture", result.target.path.string()},
                                    {"device", result.device.name},
                                    {"driver", result.device.driver},
                                    {"seconds", result.seconds},
@@ -146,25 +143,27 @@ void printJson(const Result& result) {
                                    {"maps", nlohmann::ordered_json::array()}};
     for (const auto& map : result.maps.maps)
         json["maps"].push_back({{"path", map->path}, {"nodata_texels", map->nodata_count}});
-    fmt::print("{}\n", json.dump(2));
+    printText(jsonText(json));
 }
 
 void printReport(const Result& result, bool verbose) {
     double mib = 1.0 / 1048576.0;
-    fmt::print(stderr, "picture  {}\ndevice   {} ({})\n", std::filesystem::absolute(result.picture).string(),
-               result.device.name, result.device.driver);
-    fmt::print(stderr, "time     {:.2f} s in all, {:.3f} s on the device\n", result.seconds,
-               result.renderer.stats().device_seconds);
-    fmt::print(stderr, "speed    {:.1f} million camera rays a second, with their shadow rays\n",
-               result.raysPerSecond() * 1e-6);
+    std::error_code ignored;
+    const bool output = result.target.isOutput();
+    printErr("picture  {}\ndevice   {} ({})\n",
+             output ? result.target.name() : std::filesystem::absolute(result.target.path, ignored).string(),
+             result.device.name, result.device.driver);
+    printErr("time     {:.2f} s in all, {:.3f} s on the device\n", result.seconds,
+             result.renderer.stats().device_seconds);
+    printErr("speed    {:.1f} million camera rays a second, with their shadow rays\n", result.raysPerSecond() * 1e-6);
     for (const auto& map : result.maps.maps)
         if (map->nodata_count > 0)
-            fmt::print(stderr, "nodata   {} of {} texels of {}, filled from their neighbours\n", map->nodata_count,
-                       map->samples.size(), map->path);
+            printErr("nodata   {} of {} texels of {}, filled from their neighbours\n", map->nodata_count,
+                     map->samples.size(), map->path);
     if (!verbose) return;
-    fmt::print(stderr, "maps     {:.1f} MiB on the device\n", double(result.renderer.mapBytes()) * mib);
-    fmt::print(stderr, "images   {:.1f} MiB on the device\n", double(result.renderer.imageBytes()) * mib);
-    fmt::print(stderr, "retried  {} pixels in full precision\n", result.renderer.stats().retried_pixels);
+    printErr("maps     {:.1f} MiB on the device\n", double(result.renderer.mapBytes()) * mib);
+    printErr("images   {:.1f} MiB on the device\n", double(result.renderer.imageBytes()) * mib);
+    printErr("retried  {} pixels in full precision\n", result.renderer.stats().retried_pixels);
 }
 
 /// What is rendered of a picture: all of it, or fewer samples than the scene asks for.
@@ -182,7 +181,7 @@ struct Rendered {
 };
 
 // An interruption ends it at once, by an Error, or after the sample in progress if a part is to be written.
-Rendered renderAll(Renderer& renderer, const Scene& scene, const RenderOptions& options, std::uint32_t aovs,
+Rendered renderAll(Renderer& renderer, const Scene& scene, const RenderOptions& options, const Target& target,
                    SampleSums start) {
     ProgressLine line(options.common.progress, options.common.quiet, "render");
     const auto update = [&](double share) { return line.update(share); };
@@ -193,19 +192,27 @@ Rendered renderAll(Renderer& renderer, const Scene& scene, const RenderOptions& 
         return false;
     };
     Rendered result;
-    if (aovs) result.planes = renderer.renderPlanes(aovs, update);
+    if (target.aovs) result.planes = renderer.renderPlanes(target.aovs, update);
     if (scene.sampler.pixel_samples > 0)
         result.colour = renderer.renderSums(std::move(start), scene.sampler.pixel_samples,
-                                            std::uint32_t(scene.sampler.seed), updateOrThrow);
+                                            std::uint32_t(scene.sampler.seed), updateOrThrow, target.colours);
     return result;
 }
 
-[[noreturn]] void throwPartial(const std::filesystem::path& path, int samples, int wanted) {
-    const std::string how = path.extension() == ".exr"
-                                ? fmt::format("go on by the same command with --resume {}", path.string())
-                                : "a .png cannot be gone on with";
+[[noreturn]] void throwPartial(const RenderOptions& options, const Target& target, int samples, int wanted) {
+    std::string how = fmt::format("go on by the same command with --resume {}", target.path.string());
+    if (target.isOutput()) how = "go on from the file that it went to by the same command with --resume";
+    if (target.format == Format::Png) how = "a .png cannot be gone on with";
+    if (options.reproducible) how = "a picture of --reproducible cannot be gone on with";
     throw Error(ExitCode::Interrupted, fmt::format("interrupted; wrote {} with {} of {} samples a pixel; {}",
-                                                   path.string(), samples, wanted, how));
+                                                   target.name(), samples, wanted, how));
+}
+
+void write(const Target& target, const Image& picture, const Metadata& metadata, const RenderOptions& options) {
+    if (target.format == Format::Exr)
+        writeExr(target.path, picture, metadata);
+    else
+        writePng(target.path, picture, {options.exposure.value_or(0.0), options.tone});
 }
 
 int runRender(const RenderOptions& options) {
@@ -213,11 +220,9 @@ int runRender(const RenderOptions& options) {
     Scene scene = loadScene(options.scene);
     if (!options.common.quiet) printNotices(scene.notices);
     scene.integrator.clamp = options.clamp;
-    std::filesystem::path path = options.outfile.empty() ? scene.film.filename : options.outfile;
-    int samples = scene.sampler.pixel_samples;
-    std::uint32_t aovs = checkOutput(options, path, samples);
-    if (options.detail > 0.0f && options.scene.marcher != Marcher::Exact)
-        throw Error(ExitCode::Usage, "--detail is of the exact marcher; the baselines march the map itself");
+    scene.integrator.hide_distance = options.alpha;
+    Target target = checkTarget(options, scene);
+    const int samples = scene.sampler.pixel_samples;
     const MarchMethod method(options.scene.marcher, MarchMethod().threshold, options.detail);
     // A driver compiles while the maps are read. A bad map is what the user hears of first, whatever the device.
     auto reading = std::async(std::launch::async, [&scene] { return loadSceneMaps(scene); });
@@ -225,7 +230,7 @@ int runRender(const RenderOptions& options) {
     std::future<void> compiling;
     try {
         opened.emplace(gpu::DeviceOptions{options.common.device, options.common.validation});
-        compiling = warmAhead(*opened, traitsOf(scene), method, aovs ? aovs : kColourPlanes);
+        compiling = warmAhead(*opened, traitsOf(scene), method, target.aovs ? target.aovs : target.colours);
     } catch (...) {
         reading.get();
         throw;
@@ -240,16 +245,47 @@ int runRender(const RenderOptions& options) {
     const Origin origin = originOf(scene, maps, method, device.info());
     Earlier earlier;
     if (!options.resume.empty()) earlier = readEarlier(options.resume, origin, samples);
-    Rendered rendered = renderAll(renderer, scene, options, aovs, std::move(earlier.sums));
+    if (earlier.sums.samples > 0 && !earlier.sums.sums.find("A")) target.colours = kColourPlanes;
+    std::optional<Completing> completing;
+    if (options.write_partial) completing.emplace();
+    Rendered rendered = renderAll(renderer, scene, options, target, std::move(earlier.sums));
     checkValidation(device);
     const int done = rendered.colour.samples;
-    const double seconds = earlier.device_seconds + renderer.stats().device_seconds;
-    writePicture(path, std::move(rendered).picture(), makeMetadata(scene, origin, done, seconds), options.tone);
-    if (done < samples) throwPartial(path, done, samples);
-    const Result result{path, device.info(), renderer, maps, secondsSince(start)};
+    std::optional<double> seconds = earlier.device_seconds + renderer.stats().device_seconds;
+    if (options.reproducible) seconds.reset();
+    write(target, std::move(rendered).picture(), makeMetadata(scene, origin, done, seconds), options);
+    if (done < samples) throwPartial(options, target, done, samples);
+    const Result result{target, device.info(), renderer, maps, secondsSince(start)};
     if (options.common.json) printJson(result);
     if (!options.common.quiet) printReport(result, options.common.verbose);
     return int(ExitCode::Ok);
+}
+
+void addPictureOptions(CLI::App& command, RenderOptions& options) {
+    command
+        .add_option("-o,--outfile", options.outfile,
+                    "Picture to write, .png or .exr; default: the scene's Film; - is standard output")
+        ->type_name("FILE");
+    addChoice<std::optional<Format>>(command, "--format", options.format, {{"png", Format::Png}, {"exr", Format::Exr}},
+                                     "What -o - writes; default: png", "png|exr");
+    command
+        .add_option("--aov", options.aov,
+                    "Further outputs into the .exr: all, or t,P,N,Ns,u,v,Albedo,id,lit,"
+                    "steps,residual")
+        ->type_name("LIST");
+    command.add_flag("--alpha", options.alpha,
+                     "Transparent where nothing is hit, infinite lights behind the shapes too: a .png gets an alpha "
+                     "channel, which an .exr always has");
+    command.add_option("--exposure", options.exposure, "Stops to brighten a .png by")->type_name("STOPS");
+    addChoice<ToneCurve>(
+        command, "--tone", options.tone,
+        {{"linear", ToneCurve::Linear}, {"aces", ToneCurve::Aces}, {"reinhard", ToneCurve::Reinhard}},
+        "Curve of a .png's light, after --exposure: linear (the default) cuts at 1; aces: Narkowicz 2015; reinhard: x "
+        "/ (1 + x)",
+        "linear|aces|reinhard");
+    command.add_flag("--reproducible", options.reproducible,
+                     "Leave the time, the device and its driver out of the .exr's header: runs then write the same "
+                     "bytes, and --resume cannot go on from them");
 }
 
 }  // namespace
@@ -258,22 +294,9 @@ void addRender(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("render", "Render a scene to a picture");
     auto options = std::make_shared<RenderOptions>();
     addSceneOptions(*command, options->scene);
-    command->add_option("-o,--outfile", options->outfile, "Picture to write, .png or .exr; default: the scene's Film")
-        ->type_name("FILE");
     command->add_option("--spp", options->scene.samples, "Samples a pixel; 0: only the --aov outputs");
     command->add_option("--seed", options->scene.seed, "Seed of the sample positions");
-    command
-        ->add_option("--aov", options->aov,
-                     "Further outputs into the .exr: all, or t,P,N,Ns,u,v,Albedo,id,lit,"
-                     "steps,residual")
-        ->type_name("LIST");
-    command->add_option("--exposure", options->tone.exposure, "Stops to brighten a .png by");
-    addChoice<ToneCurve>(
-        *command, "--tone", options->tone.curve,
-        {{"linear", ToneCurve::Linear}, {"aces", ToneCurve::Aces}, {"reinhard", ToneCurve::Reinhard}},
-        "Curve of a .png's light, after --exposure: linear (the default) cuts at 1; aces: Narkowicz 2015; reinhard: x "
-        "/ (1 + x)",
-        "linear|aces|reinhard");
+    addPictureOptions(*command, *options);
     command
         ->add_option("--clamp", options->clamp,
                      "Scale down samples whose greatest channel is above X, to X: fewer bright specks, some light "

@@ -30,20 +30,14 @@ void requireOrigin(const Metadata& metadata, const Image& picture, const Origin&
     requireSame(metadata, "seed", origin.seed, "the seed");
     if (attribute<std::string>(metadata, "fingerprint") != origin.fingerprint)
         throwInvalid("it is of another scene, other maps or images, or other options ({})",
-                     "--exaggeration, --lookat-latlon, --marcher, --detail, --clamp");
+                     "--exaggeration, --lookat-latlon, --marcher, --detail, --clamp, --alpha");
+    if (!metadata.contains("device"))
+        throwInvalid("it was written with --reproducible, which leaves out what going on needs");
     requireSame(metadata, "device", origin.device, "the device");
     requireSame(metadata, "driver", origin.driver, "the driver");
 }
 
 }  // namespace
-
-void Origin::tell(Metadata& metadata) const {
-    metadata["seed"] = seed;
-    metadata["fingerprint"] = fingerprint;
-    metadata["device"] = device;
-    metadata["driver"] = driver;
-    metadata["software"] = software;
-}
 
 Earlier readEarlier(const std::filesystem::path& path, const Origin& origin, int samples) {
     const Image picture = readExr(path);

@@ -13,8 +13,6 @@ struct Origin {
     std::string fingerprint;  ///< of the scene, its maps and the options that decide the light
     std::string device, driver, software;
     Box data, display;
-
-    void tell(Metadata& metadata) const;
 };
 
 /// An earlier render of the same.

@@ -1,10 +1,12 @@
 #include "cli/terminal.h"
 
+#include "cli/print.h"
+#include "cli/signals.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -12,14 +14,6 @@
 namespace dsphere::cli {
 
 namespace {
-
-volatile std::sig_atomic_t signal_caught = 0;
-
-void onSignal(int number) {
-    // A second Ctrl-C must end a program that does not get to its next poll.
-    if (signal_caught) std::_Exit(128 + number);
-    signal_caught = number;
-}
 
 bool onTerminal() {
     return isatty(STDERR_FILENO) != 0;
@@ -42,7 +36,7 @@ ProgressLine::ProgressLine(ProgressMode mode, bool quiet, std::string label)
       last_(start_) {}
 
 ProgressLine::~ProgressLine() {
-    if (drawn_ && onTerminal()) fmt::print(stderr, "\n");
+    if (drawn_ && onTerminal()) printErr("\n");
 }
 
 void ProgressLine::draw(double share, double seconds) {
@@ -51,15 +45,15 @@ void ProgressLine::draw(double share, double seconds) {
                                           durationText(share > 0.0 ? seconds * (1.0 - share) / share : 0.0));
     if (onTerminal()) {
         const int full = int(share * kBar);
-        fmt::print(stderr, "\r{}: [{:#>{}}{:.>{}}] {}  ", label_, "", full, "", kBar - full, times);
+        printErr("\r{}: [{:#>{}}{:.>{}}] {}  ", label_, "", full, "", kBar - full, times);
     } else {
-        fmt::print(stderr, "{}: {}\n", label_, times);
+        printErr("{}: {}\n", label_, times);
     }
     std::fflush(stderr);
 }
 
 void ProgressLine::say(const std::string& line) {
-    if (shown_) fmt::print(stderr, "{}{}\n", drawn_ && onTerminal() ? "\n" : "", line);
+    if (shown_) printErr("{}{}\n", drawn_ && onTerminal() ? "\n" : "", line);
     drawn_ = false;
 }
 
@@ -76,16 +70,7 @@ bool ProgressLine::update(double share) {
         last_ = now;
         drawn_ = true;
     }
-    return signal_caught == 0;
-}
-
-void catchSignals() {
-    std::signal(SIGINT, onSignal);
-    std::signal(SIGTERM, onSignal);
-}
-
-int caughtSignal() {
-    return signal_caught;
+    return caughtSignal() == 0;
 }
 
 namespace {
@@ -94,9 +79,9 @@ namespace {
 void printMessage(const char* kind, const char* colour, const std::string& message) {
     const char* no_colour = std::getenv("NO_COLOR");
     if (onTerminal() && !(no_colour && *no_colour))
-        fmt::print(stderr, "dsphere: \033[{}m{}:\033[0m {}\n", colour, kind, message);
+        printErr("dsphere: \033[{}m{}:\033[0m {}\n", colour, kind, message);
     else
-        fmt::print(stderr, "dsphere: {}: {}\n", kind, message);
+        printErr("dsphere: {}: {}\n", kind, message);
 }
 
 }  // namespace

@@ -39,11 +39,6 @@ class ProgressLine {
     std::chrono::steady_clock::time_point start_, last_;
 };
 
-/// Turns SIGINT and SIGTERM into a flag that work in progress polls.
-void catchSignals();
-/// The signal that came, or 0.
-int caughtSignal();
-
 /// One line "dsphere: error: message" on standard error, coloured on a terminal unless NO_COLOR is set and not empty
 /// (no-color.org).
 void printError(const std::string& message);

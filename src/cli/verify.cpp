@@ -2,6 +2,8 @@
 
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/outputs.h"
+#include "cli/print.h"
 #include "cli/sceneoptions.h"
 #include "image/picture.h"
 
@@ -32,13 +34,18 @@ Image difference(const Image& device, const Image& reference) {
     return result;
 }
 
+// Of the pictures that a failure leaves.
+std::string evidencePath(const VerifyOptions& options, const char* what) {
+    return fmt::format("{}-{}.exr", options.outfile, what);
+}
+
 void writeEvidence(const VerifyOptions& options, const Scene& scene, const SceneMaps& maps, const Image& device,
                    const Progress& progress) {
     Image reference = verify::referenceImage(scene, maps, progress);
     auto write = [&](const char* what, const Image& image) {
-        std::string path = fmt::format("{}-{}.exr", options.outfile, what);
+        const std::string path = evidencePath(options, what);
         writeExr(path, image, {});
-        if (!options.common.quiet) fmt::print(stderr, "wrote {}\n", path);
+        if (!options.common.quiet) printErr("wrote {}\n", path);
     };
     write("device", device);
     write("reference", reference);
@@ -48,13 +55,16 @@ void writeEvidence(const VerifyOptions& options, const Scene& scene, const Scene
 void printFaults(const verify::Report& report, const Image& image) {
     int width = image.data.width();
     for (const verify::Fault& fault : report.faults)
-        fmt::print(stderr, "pixel {}, {}: {}\n", image.data.x0 + int(fault.ray) % width,
-                   image.data.y0 + int(fault.ray) / width, fault.what);
+        printErr("pixel {}, {}: {}\n", image.data.x0 + int(fault.ray) % width, image.data.y0 + int(fault.ray) / width,
+                 fault.what);
 }
 
 int runVerify(const VerifyOptions& options) {
     Scene scene = loadScene(options.scene);
-    checkWritable(options.outfile + "-device.exr");
+    checkOutputs({{evidencePath(options, "device"), "the device's picture"},
+                  {evidencePath(options, "reference"), "the reference's picture"},
+                  {evidencePath(options, "difference"), "the difference"}},
+                 inputsOf(scene));
     SceneMaps maps = loadSceneMaps(scene);
     if (!options.common.quiet) printNotices(scene.notices), printNotices(maps.notices());
     gpu::Device device = openDevice(options.common);
@@ -71,11 +81,11 @@ int runVerify(const VerifyOptions& options) {
         nlohmann::ordered_json json = {
             {"scene", scene.name}, {"device", device.info().name}, {"driver", device.info().driver}};
         json.update(report.json());
-        fmt::print("{}\n", json.dump(2));
+        printText(jsonText(json));
     } else {
-        fmt::print("{} on {}\n\n{}\n", scene.name, device.info().name, report.table());
-        fmt::print("{}\n", violations.empty() ? "The contract holds." : "The contract is broken:");
-        for (const std::string& line : violations) fmt::print("  {}\n", line);
+        print("{} on {}\n\n{}\n", scene.name, device.info().name, report.table());
+        print("{}\n", violations.empty() ? "The contract holds." : "The contract is broken:");
+        for (const std::string& line : violations) print("  {}\n", line);
     }
     if (violations.empty()) return int(ExitCode::Ok);
     if (!options.common.quiet) printFaults(report, outcome.device);

@@ -1,6 +1,7 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/sceneoptions.h"
+#include "cli/signals.h"
 #include "viewer/viewer.h"
 
 namespace dsphere::cli {

@@ -1,13 +1,12 @@
 #include "gpu/pipeline_cache.h"
 
-#include <unistd.h>
-
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <string>
 
+#include "base/atomicfile.h"
 #include "base/error.h"
 
 namespace dsphere::gpu {
@@ -52,22 +51,15 @@ std::vector<std::byte> readFile(const fs::path& path) {
     return checksum(bytes) == header.checksum ? bytes : std::vector<std::byte>();
 }
 
-/// Whole or not at all: a reader never sees half a file.
 void writeFile(const fs::path& path, const std::vector<std::byte>& bytes) {
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
-    std::string temporary = path.string() + ".XXXXXX";
-    const int descriptor = mkstemp(temporary.data());
-    if (descriptor < 0) return;
-    close(descriptor);
     FileHeader header;
     header.checksum = checksum(bytes);
-    std::ofstream file(temporary, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(&header), sizeof(header));
-    file.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
-    file.close();
-    if (file) fs::rename(temporary, path, error);
-    if (!file || error) fs::remove(temporary, error);
+    AtomicFile file(path);
+    file.write(&header, sizeof(header));
+    file.write(bytes.data(), bytes.size());
+    file.commit();
 }
 
 /// The header that the specification puts before every driver's data fits this device.

@@ -10,10 +10,11 @@
 #include <ImfThreading.h>
 
 #include <algorithm>
+#include <optional>
 #include <thread>
 
+#include "base/atomicfile.h"
 #include "base/error.h"
-#include "image/atomicfile.h"
 #include "image/exrparts.h"
 #include "image/picture.h"
 
@@ -63,12 +64,19 @@ struct AddAttribute {
     }
 };
 
-Imf::Header makeHeader(const Image& image, const Metadata& metadata) {
+/// The channel with its integers as floats, where those can hold every one.
+std::optional<Channel> asFloats(const Channel& channel) {
+    const auto held = [](std::uint32_t value) { return std::uint64_t(float(value)) == value; };
+    if (channel.isFloat() || !std::ranges::all_of(channel.uints(), held)) return {};
+    return Channel{channel.name, std::vector<float>(channel.uints().begin(), channel.uints().end())};
+}
+
+Imf::Header makeHeader(const Image& image, const Channels& channels, const Metadata& metadata) {
     Imf::Header header(toExr(image.display), toExr(image.data));
     header.compression() = Imf::ZIP_COMPRESSION;
     header.lineOrder() = Imf::INCREASING_Y;
-    for (const Channel& channel : image.channels)
-        header.channels().insert(channel.name, Imf::Channel(channel.isFloat() ? Imf::FLOAT : Imf::UINT));
+    for (const Channel* channel : channels)
+        header.channels().insert(channel->name, Imf::Channel(channel->isFloat() ? Imf::FLOAT : Imf::UINT));
     for (const auto& [name, value] : metadata) std::visit(AddAttribute{header, name}, value);
     return header;
 }
@@ -83,24 +91,34 @@ Box fromExr(const Imath::Box2i& box) {
     return {box.min.x, box.min.y, box.max.x + 1, box.max.y + 1};
 }
 
-/// OpenEXR's view of the planes; they must outlive it. It only reads through the view when it writes a file.
-Imf::FrameBuffer makeFrameBuffer(const Image& image) {
+Channels channelsOf(const Image& image) {
+    Channels channels;
+    for (const Channel& channel : image.channels) channels.push_back(&channel);
+    return channels;
+}
+
+Imf::FrameBuffer makeFrameBuffer(const Box& data, const Channels& channels) {
     Imf::FrameBuffer buffer;
-    for (const Channel& channel : image.channels) {
-        const void* pixels = channel.isFloat() ? static_cast<const void*>(channel.floats().data())
-                                               : static_cast<const void*>(channel.uints().data());
-        const Imf::PixelType type = channel.isFloat() ? Imf::FLOAT : Imf::UINT;
-        buffer.insert(channel.name, Imf::Slice::Make(type, pixels, toExr(image.data)));
+    for (const Channel* channel : channels) {
+        const void* pixels = channel->isFloat() ? static_cast<const void*>(channel->floats().data())
+                                                : static_cast<const void*>(channel->uints().data());
+        const Imf::PixelType type = channel->isFloat() ? Imf::FLOAT : Imf::UINT;
+        buffer.insert(channel->name, Imf::Slice::Make(type, pixels, toExr(data)));
     }
     return buffer;
 }
 
 void writeExr(const std::filesystem::path& path, const Image& image, const Metadata& metadata) {
     AtomicFile file(path);
+    Channels channels = channelsOf(image);
+    std::vector<Channel> converted;
+    converted.reserve(channels.size());
+    for (const Channel*& channel : channels)
+        if (std::optional<Channel> floats = asFloats(*channel)) channel = &converted.emplace_back(std::move(*floats));
     try {
         ExrStream stream(file, path.string());
-        Imf::OutputFile out(stream, makeHeader(image, metadata), packingThreads());
-        out.setFrameBuffer(makeFrameBuffer(image));
+        Imf::OutputFile out(stream, makeHeader(image, channels, metadata), packingThreads());
+        out.setFrameBuffer(makeFrameBuffer(image.data, channels));
         out.writePixels(image.data.height());
         // The destructors complete the file; a failure in them is kept by it.
     } catch (const std::exception& error) {

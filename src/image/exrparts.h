@@ -17,8 +17,12 @@ namespace dsphere {
 Imath::Box2i toExr(const Box& box);
 Box fromExr(const Imath::Box2i& box);
 
-/// OpenEXR's view of the planes; they must outlive it. It only reads through the view when it writes a file.
-Imf::FrameBuffer makeFrameBuffer(const Image& image);
+using Channels = std::vector<const Channel*>;
+Channels channelsOf(const Image& image);
+
+/// OpenEXR's view of the channels' pixels, those of `data`; they must outlive it. It only reads through the view when it
+/// writes a file.
+Imf::FrameBuffer makeFrameBuffer(const Box& data, const Channels& channels);
 
 /// Names the channels of the first part that are wanted.
 using ChooseChannels = std::function<std::vector<std::string>(const Imf::MultiPartInputFile& file)>;

@@ -74,7 +74,7 @@ Image readExrPixels(const std::filesystem::path& path, bool keep_uints, const Ch
         else
             image.addFloat(name);
     }
-    part.setFrameBuffer(makeFrameBuffer(image));
+    part.setFrameBuffer(makeFrameBuffer(image.data, channelsOf(image)));
     part.readPixels(image.data.y0, image.data.y1 - 1);
     return image;
 }

@@ -4,15 +4,15 @@
 #include <tiffio.h>
 
 #include <algorithm>
-#include <cctype>
 #include <csetjmp>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "base/atomicfile.h"
 #include "base/error.h"
 #include "base/parallel.h"
-#include "image/atomicfile.h"
+#include "image/picture.h"
 
 namespace dsphere {
 namespace {
@@ -20,8 +20,7 @@ namespace {
 enum class Format { Unknown, Png, Pgm, Tiff };
 
 Format formatOf(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    const std::string extension = extensionOf(path);
     if (extension == ".png") return Format::Png;
     if (extension == ".pgm") return Format::Pgm;
     return extension == ".tif" || extension == ".tiff" ? Format::Tiff : Format::Unknown;

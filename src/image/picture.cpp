@@ -9,19 +9,18 @@ namespace dsphere {
 
 namespace {
 
-/// In lower case, with its dot.
-std::string extensionOf(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return extension;
-}
-
 [[noreturn]] void throwUnknown(const std::filesystem::path& path) {
     throw Error(ExitCode::Usage,
                 fmt::format("{}: the extension is {:?}, expected .exr or .png", path.string(), extensionOf(path)));
 }
 
 }  // namespace
+
+std::string extensionOf(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return extension;
+}
 
 void writePicture(const std::filesystem::path& path, const Image& image, const Metadata& metadata, const Tone& tone) {
     const std::string extension = extensionOf(path);

@@ -14,13 +14,17 @@ namespace dsphere {
 /// EXR header attributes besides the standard ones.
 using Metadata = std::map<std::string, std::variant<std::string, int, float, std::array<float, 16>>>;
 
-/// Writes all channels to a scanline OpenEXR file, one part, first row on top: FLOAT, or UINT for integer channels,
-/// data window and display window as in the image. Written under a temporary name, then renamed; on failure the
-/// temporary is removed and Error (Failure) thrown.
+/// The extension in lower case, with its dot.
+std::string extensionOf(const std::filesystem::path& path);
+
+/// Writes all channels to a scanline OpenEXR file, one part, first row on top: as FLOAT, integer ones too, since many
+/// readers misread UINT; UINT only where an integer channel has a value that no float is equal to. Data window and
+/// display window as in the image. Whole or not at all, see AtomicFile: "-" is standard output; Error (Failure).
 void writeExr(const std::filesystem::path& path, const Image& image, const Metadata& metadata);
 
 /// Writes channels R, G, B as an 8-bit sRGB PNG (linear -> tone curve after multiplying by 2^exposure -> sRGB curve,
-/// clamped, NaN black). Same atomicity and errors as writeExr.
+/// clamped, NaN black). With a channel A, by which R, G, B are multiplied as everywhere else, the PNG has it too, and
+/// colours are divided by it, as PNG demands. Same atomicity and errors as writeExr.
 void writePng(const std::filesystem::path& path, const Image& image, const Tone& tone = {});
 
 /// Chooses by the extension, .exr or .png; another one is an Error (Usage).

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/atomicfile.h"
 #include "base/error.h"
-#include "image/atomicfile.h"
 #include "image/picture.h"
 
 namespace dsphere {
@@ -25,24 +25,38 @@ void writeTo(void* file, void* data, int size) {
     static_cast<AtomicFile*>(file)->write(data, std::size_t(size));
 }
 
-}  // namespace
-
-void writePng(const std::filesystem::path& path, const Image& image, const Tone& tone) {
-    const int width = image.data.width(), height = image.data.height();
-    if (3 * std::uint64_t(image.pixelCount()) > kMaxBytes)
-        throwFailure("{}: {}x{} pixels are more than a PNG of this program holds; write an EXR", path.string(), width,
-                     height);
-    AtomicFile file(path);
-    std::vector<std::uint8_t> bytes(3 * image.pixelCount());
+/// The bytes of the picture's pixels: R, G, B, and A if it has one.
+std::vector<std::uint8_t> encoded(const Image& image, const Tone& tone) {
+    const Channel* alpha = image.find("A");
+    const std::size_t channels = alpha ? 4 : 3;
+    std::vector<std::uint8_t> bytes(channels * image.pixelCount());
     const double gain = std::exp2(tone.exposure);
     const char* const names[] = {"R", "G", "B"};
     for (std::size_t c = 0; c < 3; ++c) {
         const std::vector<float>& plane = image.at(names[c]).floats();
-        for (std::size_t k = 0; k < plane.size(); ++k)
-            bytes[3 * k + c] = toSrgb(toneMapped(tone.curve, gain * double(plane[k])));
+        for (std::size_t k = 0; k < plane.size(); ++k) {
+            const double cover = alpha ? double(alpha->floats()[k]) : 1.0;
+            const double light = cover > 0.0 ? double(plane[k]) / cover : 0.0;
+            bytes[channels * k + c] = toSrgb(toneMapped(tone.curve, gain * light));
+        }
     }
+    for (std::size_t k = 0; alpha && k < image.pixelCount(); ++k)
+        bytes[channels * k + 3] = std::uint8_t(255.0 * double(alpha->floats()[k]) + 0.5);
+    return bytes;
+}
+
+}  // namespace
+
+void writePng(const std::filesystem::path& path, const Image& image, const Tone& tone) {
+    const int width = image.data.width(), height = image.data.height();
+    const int channels = image.find("A") ? 4 : 3;
+    if (std::uint64_t(channels) * image.pixelCount() > kMaxBytes)
+        throwFailure("{}: {}x{} pixels are more than a PNG of this program holds; write an EXR", path.string(), width,
+                     height);
+    AtomicFile file(path);
+    const std::vector<std::uint8_t> bytes = encoded(image, tone);
     // stb packs in memory and calls writeTo once.
-    if (!stbi_write_png_to_func(writeTo, &file, width, height, 3, bytes.data(), 3 * width))
+    if (!stbi_write_png_to_func(writeTo, &file, width, height, channels, bytes.data(), channels * width))
         throwFailure("{}: cannot be written: the PNG of {}x{} pixels does not fit into memory", path.string(), width,
                      height);
     file.commit();

@@ -73,6 +73,7 @@ gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& t
     specialization[SPEC_DIFFUSE_PATHS] = paths.diffuse_paths ? 1 : 0;
     specialization[SPEC_CLAMP] = std::bit_cast<std::uint32_t>(paths.clamp);
     specialization[SPEC_REGULARIZE] = paths.regularize ? 1 : 0;
+    specialization[SPEC_HIDE_DISTANCE] = paths.hide_distance ? 1 : 0;
     specialization[SPEC_GAUSSIAN] = paths.gaussian ? 1 : 0;
     specialization[SPEC_RADIUS_X] = std::bit_cast<std::uint32_t>(paths.radius_x);
     specialization[SPEC_RADIUS_Y] = std::bit_cast<std::uint32_t>(paths.radius_y);

@@ -9,6 +9,7 @@ const std::vector<PlaneInfo>& planeInfos() {
         {PLANE_R, "R", false},
         {PLANE_G, "G", false},
         {PLANE_B, "B", false},
+        {PLANE_A, "A", false},
         {PLANE_T, "t", false},
         {PLANE_PX, "P.X", false},
         {PLANE_PY, "P.Y", false},

@@ -23,9 +23,10 @@ inline constexpr std::uint32_t planeBit(int plane) {
     return 1u << plane;
 }
 inline constexpr std::uint32_t kColourPlanes = 7u << PLANE_R;
+inline constexpr std::uint32_t kAlphaPlane = planeBit(PLANE_A);
 /// The arbitrary output variables that users may ask for; the planes beyond are for verify.
-inline constexpr std::uint32_t kAovPlanes = (planeBit(PLANE_RESIDUAL + 1) - 1u) & ~kColourPlanes;
-inline constexpr std::uint32_t kVerifyPlanes = planeBit(PLANE_COUNT) - 1u;
+inline constexpr std::uint32_t kAovPlanes = (planeBit(PLANE_RESIDUAL + 1) - 1u) & ~(kColourPlanes | kAlphaPlane);
+inline constexpr std::uint32_t kVerifyPlanes = (planeBit(PLANE_COUNT) - 1u) & ~kAlphaPlane;
 
 /// "all", or a comma-separated list of t, P, N, Ns, u, v, Albedo, id, lit, steps, residual; "" is none. Error (Usage)
 /// names the unknown word.

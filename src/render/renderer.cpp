@@ -19,7 +19,7 @@ constexpr double kSubmitTarget = 0.05;
 /// The pixels that may not be black: all under an infinite light.
 std::vector<Span> shownSpans(const PackedScene& packed, const Box& crop) {
     const SceneTraits::Paths& paths = packed.traits.paths;
-    if (paths.light_kinds & (1u << LIGHT_INFINITE | 1u << LIGHT_IMAGE))
+    if (!paths.hide_distance && (paths.light_kinds & (1u << LIGHT_INFINITE | 1u << LIGHT_IMAGE)))
         return std::vector<Span>(std::size_t(crop.height()), Span{0, crop.width()});
     return objectSpans(packed.objects, crop, std::max({0.5, double(paths.radius_x), double(paths.radius_y)}));
 }
@@ -77,13 +77,14 @@ PassPipelines& Renderer::pipelines(const MarchMethod& method, std::uint32_t mask
     return found->second;
 }
 
-SampleSums Renderer::renderSums(SampleSums start, int to, std::uint32_t seed, const Progress& progress) {
+SampleSums Renderer::renderSums(SampleSums start, int to, std::uint32_t seed, const Progress& progress,
+                                std::uint32_t planes) {
     const int first = start.samples, count = to - first;
     assert(first >= 0 && count >= 1);
-    DeviceFilm film(device_, crop_.width(), crop_.height(), kColourPlanes);
+    DeviceFilm film(device_, crop_.width(), crop_.height(), planes);
     if (first > 0) film.write(start.sums);
     start.sums = {};
-    Pass pass(device_, pipelines(method_, kColourPlanes), device_scene_, film.image());
+    Pass pass(device_, pipelines(method_, planes), device_scene_, film.image());
     TileRun run(makeTiles(spans_, 0, crop_.width()), crop_.x0, crop_.y0);
     int done = 0;
     for (bool going = true; going && done < count; ++done)

@@ -41,8 +41,9 @@ class Renderer {
     Image renderColour(int samples, std::uint32_t seed, const Progress& progress);
     /// The sums of samples 0 to `to` - 1, of which `start` has some (fewer) already, from this renderer's crop. When
     /// stopped the sample in progress is completed, and the sums are of fewer than `to`. The same sums whatever
-    /// `start`.
-    SampleSums renderSums(SampleSums start, int to, std::uint32_t seed, const Progress& progress);
+    /// `start`. `planes`: kColourPlanes, and kAlphaPlane if wanted; `start` has channels of both or is empty.
+    SampleSums renderSums(SampleSums start, int to, std::uint32_t seed, const Progress& progress,
+                          std::uint32_t planes = kColourPlanes);
     /// The planes of `mask` for the ray through each pixel's centre; kColourPlanes among them are that ray's colour.
     Image renderPlanes(std::uint32_t mask, const Progress& progress);
 

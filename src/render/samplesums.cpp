@@ -9,8 +9,6 @@ namespace dsphere {
 
 namespace {
 
-constexpr const char* kColours[] = {"R", "G", "B"};
-
 bool meansTellSums(int samples) {
     return std::has_single_bit(unsigned(samples));
 }
@@ -31,12 +29,13 @@ Image pictureOf(SampleSums sums) {
 SampleSums sumsOf(const Image& picture, int samples) {
     const bool exact = meansTellSums(samples);
     SampleSums result{samples, {picture.data, picture.display, {}}};
-    for (const std::string colour : kColours) {
-        const Channel* channel = picture.find(exact ? colour : "sum." + colour);
+    for (const std::string name : {"R", "G", "B", "A"}) {
+        if (name == "A" && !picture.find("A")) continue;  // by a version that had no alpha
+        const std::string from = exact ? name : "sum." + name;
+        const Channel* channel = picture.find(from);
         if (!channel || !channel->isFloat())
-            throwInvalid("it has no channel {}, which {} samples take to go on", exact ? colour : "sum." + colour,
-                         samples);
-        std::vector<float>& sums = result.sums.addFloat(colour).floats();
+            throwInvalid("it has no channel {}, which {} samples take to go on", from, samples);
+        std::vector<float>& sums = result.sums.addFloat(name).floats();
         sums = channel->floats();
         if (exact)
             for (float& value : sums) value *= float(samples);

@@ -45,6 +45,7 @@ SceneTraits::Paths pathsOf(const Scene& scene) {
     paths.max_depth = std::uint32_t(scene.integrator.max_depth);
     paths.clamp = float(scene.integrator.clamp);
     paths.regularize = paths.diffuse_paths && scene.integrator.regularize;
+    paths.hide_distance = scene.integrator.hide_distance;
     paths.gaussian = scene.pixel_filter.kind == PixelFilter::Kind::Gaussian;
     paths.radius_x = float(scene.pixel_filter.radius.x);
     paths.radius_y = float(scene.pixel_filter.radius.y);

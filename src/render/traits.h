@@ -23,7 +23,7 @@ struct SceneTraits {
         bool diffuse_paths = false;  ///< path, not directlighting
         std::uint32_t max_depth = 0;
         float clamp = 0.0f;  ///< 0: none
-        bool regularize = false;
+        bool regularize = false, hide_distance = false;
         bool gaussian = false;
         float radius_x = 0.5f, radius_y = 0.5f;
 

@@ -111,6 +111,7 @@ void include(Statement s) {
     if (++s.state.includes > kMaxIncludes) failAt(s.word.where, "more than {} Includes in a scene", kMaxIncludes);
     std::filesystem::path path = s.source.resolve(name.text);
     std::string text = readFile(path, name.where.text());
+    s.state.scene.included.push_back(path.string());
     Source source{Lexer(text, path.string()), path.parent_path(), s.source.depth + 1};
     parseAll(s.state, source);
 }

@@ -62,6 +62,9 @@ struct Integrator {
     /// path: facets that are met after another reflection than mirrors' are rougher, see regularized(). Less noise, and
     /// bright spots thrown by metals are wider and fainter than they should be.
     bool regularize = false;
+    /// Camera rays that miss everything see no infinite light: what is behind the shapes stays empty. An option of the
+    /// command line, as `clamp` is.
+    bool hide_distance = false;
 
     bool operator==(const Integrator&) const = default;
 };
@@ -271,9 +274,10 @@ struct Scene {
     Sampler sampler;
     Integrator integrator;
     PixelFilter pixel_filter;
-    std::vector<Shape> shapes;  ///< in the file's order; never empty
-    std::vector<Light> lights;  ///< in the file's order
-    Notices notices;            ///< what the parser has to say of the text, in its order
+    std::vector<Shape> shapes;          ///< in the file's order; never empty
+    std::vector<Light> lights;          ///< in the file's order
+    std::vector<std::string> included;  ///< the files that Include has read, as they were opened
+    Notices notices;                    ///< what the parser has to say of the text, in its order
 };
 
 }  // namespace dsphere

@@ -69,8 +69,8 @@ struct Walk {
         all(width, height, crop);
     }
     void add(const Integrator& integrator) {
-        const auto& [kind, depth, clamp, regularize] = integrator;
-        all(kind, depth, clamp, regularize);
+        const auto& [kind, depth, clamp, regularize, hide_distance] = integrator;
+        all(kind, depth, clamp, regularize, hide_distance);
     }
     void add(const PixelFilter& filter) {
         const auto& [kind, radius, falloff] = filter;
@@ -138,7 +138,7 @@ struct Walk {
 
 std::uint64_t fingerprint(const Scene& scene, const SceneMaps& maps) {
     Walk walk;
-    const auto& [name, camera, film, sampler, integrator, pixel_filter, shapes, lights, notices] = scene;
+    const auto& [name, camera, film, sampler, integrator, pixel_filter, shapes, lights, included, notices] = scene;
     walk.all(camera, film, integrator, pixel_filter, shapes, lights);
     for (const auto& map : maps.maps) walk.add(*map);
     for (const auto& image : maps.images) walk.add(*image);

@@ -1,5 +1,5 @@
+#include "base/atomicfile.h"
 #include "base/srgb.h"
-#include "image/atomicfile.h"
 #include "image/picture.h"
 #include "viewer/app.h"
 #include "viewer/scenewriter.h"
@@ -37,12 +37,17 @@ Scene explicitScene(const Document& document) {
 
 }  // namespace
 
-// NAME-1, NAME-2 ... in the working folder: the first that is not there.
+// NAME-1, NAME-2 ... in the working folder: the first that neither a picture nor a scene has, since a scene that is
+// saved names the picture of its own number as its film.
 std::filesystem::path App::freeName(const char* extension) const {
-    std::string stem = std::filesystem::path(stage_->document().path).stem().string();
+    const std::string stem = std::filesystem::path(stage_->document().path).stem().string();
+    const auto taken = [](const std::string& name) {
+        std::error_code ignored;
+        return std::filesystem::exists(std::filesystem::symlink_status(name, ignored));
+    };
     for (int n = 1;; ++n) {
-        std::filesystem::path path = fmt::format("{}-{}{}", stem, n, extension);
-        if (!std::filesystem::exists(path)) return path;
+        const std::string name = fmt::format("{}-{}", stem, n);
+        if (!taken(name + ".png") && !taken(name + ".pbrt")) return name + extension;
     }
 }
 

@@ -34,10 +34,26 @@ class Spool {
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
+void redirect(int stream, const std::string& to) {
+    if (to.empty()) return;
+    close(stream);
+    if (to == kClosed) return;
+    const int file = open(to.c_str(), O_WRONLY);
+    if (file < 0) std::_Exit(127);
+    dup2(file, stream);
+    if (file != stream) close(file);
+}
+
 [[noreturn]] void become(const Launch& launch, int in, int out, int err) {
     dup2(in, STDIN_FILENO);
     dup2(out, STDOUT_FILENO);
     dup2(err, STDERR_FILENO);
+    redirect(STDOUT_FILENO, launch.out_to);
+    redirect(STDERR_FILENO, launch.err_to);
+    for (const auto& [resource, most] : launch.limits) {
+        const rlimit limit = {most, most};
+        setrlimit(resource, &limit);
+    }
     if (chdir(launch.folder.c_str()) != 0) std::_Exit(127);
     unsetenv("NO_COLOR");
     // Leaks of the driver, which the program cannot help; those of ours are the gpu tests' business.
@@ -81,7 +97,9 @@ Outcome launch(const Launch& launch) {
         close(master);
     }
     if (launch.signal != 0) {
-        while (err.text().size() < 8 && waitpid(child, &status, WNOHANG) == 0) usleep(10000);
+        if (launch.signal_after_ms >= 0) usleep(useconds_t(1000 * launch.signal_after_ms));
+        while (launch.signal_after_ms < 0 && err.text().size() < 8 && waitpid(child, &status, WNOHANG) == 0)
+            usleep(10000);
         kill(child, launch.signal);
     }
     waitpid(child, &status, 0);

@@ -2,11 +2,16 @@
 
 // Runs the real program.
 
+#include <sys/resource.h>
+
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dsphere::test {
+
+inline constexpr const char* kClosed = "closed";
 
 struct Launch {
     std::vector<std::string> arguments = {};
@@ -14,7 +19,10 @@ struct Launch {
     std::vector<std::string> environment = {};  ///< NAME=value, besides the tests' own
     std::string input = {};                     ///< what it reads from standard input
     bool terminal = false;                      ///< standard error is a terminal; its lines then end in \r\n
-    int signal = 0;                             ///< sent as soon as standard error has a line's worth
+    int signal = 0;                             ///< sent as soon as standard error has a line's worth,
+    int signal_after_ms = -1;                   ///< or that long after the start; 0 or more
+    std::string out_to = {}, err_to = {};       ///< a file that takes the stream in place of the Outcome, or kClosed
+    std::vector<std::pair<__rlimit_resource_t, rlim_t>> limits = {};
 };
 
 struct Outcome {

@@ -2,6 +2,8 @@
 
 #include "tests/cli/fixture.h"
 
+#include <sys/stat.h>
+
 #include <csignal>
 
 namespace dsphere::test {
@@ -30,6 +32,42 @@ TEST_F(SignalTest, InterruptIs130) {
 
 TEST_F(SignalTest, TerminationIs143) {
     expectStopped(SIGTERM, 143);
+}
+
+TEST_F(SignalTest, EveryCommandEndsSoonAtAnyMoment) {
+    ASSERT_EQ(run({"generate", "fractal", "-o", "big.png", "--size", "4096,2048"}).code, 0);
+    ASSERT_EQ(run({"render", "planet.pbrt", "-o", "a.exr", "--spp", "1", "--resolution", "1600,1200"}).code, 0);
+    const std::size_t entries = folder_.entries();
+    const std::vector<std::vector<std::string>> commands = {
+        {"render", "big.png", "-o", "b.exr", "--spp", "60000"},
+        {"render", "big.png", "-o", "b.exr", "--spp", "60000", "--marcher", "naive"},
+        {"verify", "big.png"},
+        {"bench"},
+        {"info", "big.png"},
+        {"diff", "a.exr", "a.exr"},
+        {"generate", "moon", "-o", "b.png", "--size", "8192,4096"}};
+    for (const auto& words : commands)
+        for (int after_ms : {400, 1000}) {
+            Launch launch{.arguments = words};
+            launch.signal = SIGTERM;
+            launch.signal_after_ms = after_ms;
+            Outcome outcome = run(launch);
+            const std::string what = testing::PrintToString(words) + " after " + std::to_string(after_ms) + " ms";
+            if (outcome.code == 0) continue;  // it was done before
+            EXPECT_EQ(outcome.code, 143) << what << ": " << outcome.err;
+            EXPECT_TRUE(holds(outcome.err, "dsphere: error: interrupted")) << what;
+            EXPECT_EQ(folder_.entries(), entries) << what;
+        }
+}
+
+// Nobody polls while a file of a pipe that nobody writes to is opened.
+TEST_F(SignalTest, EndsWhatWaitsForever) {
+    ASSERT_EQ(mkfifo(path("pipe.pbrt").c_str(), 0600), 0);
+    Launch launch{.arguments = {"info", "pipe.pbrt"}};
+    launch.signal = SIGINT;
+    launch.signal_after_ms = 100;
+    const int code = run(launch).code;
+    EXPECT_TRUE(code == 130 || code == 3) << code << ": a pipe may be refused before";
 }
 
 TEST_F(SignalTest, InterruptEndsVerify) {

@@ -56,6 +56,18 @@ TEST(Exr, KeepsChannelsAndWindows) {
     EXPECT_EQ(folder.entries(), 1u);
 }
 
+TEST(Exr, IntegersAreWrittenAsFloatsWhereThoseHoldThem) {
+    const TempFolder folder;
+    Image image;
+    image.data = image.display = {0, 0, 3, 1};
+    image.addUint("held").uints() = {0, 1u << 24, 0x80000000u};
+    image.addUint("lost").uints() = {0, 1, (1u << 24) + 1};
+    writeExr(folder.path() / "a.exr", image, {});
+    const Image read = readExr(folder.path() / "a.exr");
+    EXPECT_EQ(read.at("held").floats(), (std::vector<float>{0.0f, 16777216.0f, 2147483648.0f}));
+    EXPECT_EQ(read.at("lost").uints(), image.at("lost").uints());
+}
+
 TEST(Exr, FirstRowIsOnTop) {
     const TempFolder folder;
     Image image;
@@ -165,6 +177,22 @@ TEST(Png, KeepsColoursAndRowsApart) {
     image.addUint("id");
     writePng(folder.path() / "a.png", image);
     EXPECT_EQ(readRawMap(folder.path() / "a.png").samples, (std::vector<float>{85, float(188.0 / 3.0), 0}));
+}
+
+// On the way into a PNG colours are divided by alpha; no light is where nothing is covered.
+TEST(Png, AlphaIsStraight) {
+    const TempFolder folder;
+    Image image;
+    image.data = image.display = {0, 0, 4, 1};
+    for (const char* name : {"R", "G", "B"}) image.addFloat(name).floats() = {0.5f, 0.25f, 0.0f, 0.3f};
+    image.addFloat("A").floats() = {1.0f, 0.5f, 0.0f, 0.0f};
+    writePng(folder.path() / "a.png", image);
+    const Image read = readPngPicture(folder.path() / "a.png");  // on black
+    const std::vector<float>& green = read.at("G").floats();
+    EXPECT_NEAR(green[0], 0.5f, 0.003f);
+    EXPECT_NEAR(green[1], 0.25f, 0.003f);
+    EXPECT_EQ(green[2], 0.0f);
+    EXPECT_EQ(green[3], 0.0f);
 }
 
 TEST(Picture, ExtensionChooses) {

@@ -11,7 +11,7 @@ namespace {
 SampleSums randomSums(int samples) {
     SampleSums sums{samples, {{0, 0, 31, 7}, {0, 0, 40, 9}, {}}};
     std::mt19937 random(samples);
-    for (const char* name : {"R", "G", "B"})
+    for (const char* name : {"R", "G", "B", "A"})
         for (float& value : sums.sums.addFloat(name).floats()) value = float(random()) * 1e-6f;
     return sums;
 }
@@ -22,7 +22,7 @@ TEST(SampleSums, ComeBackBitForBit) {
         const Image picture = pictureOf(sums);
         EXPECT_EQ(picture.at("G").floats()[5], sums.sums.at("G").floats()[5] / float(samples));
         const bool power = (samples & (samples - 1)) == 0;
-        EXPECT_EQ(picture.channels.size(), power ? 3u : 6u) << samples;
+        EXPECT_EQ(picture.channels.size(), power ? 4u : 8u) << samples;
         const SampleSums again = sumsOf(picture, samples);
         EXPECT_EQ(again.samples, samples);
         EXPECT_EQ(again.sums.data, sums.sums.data);
@@ -35,11 +35,17 @@ TEST(SampleSums, NeedTheirChannels) {
     Image picture = pictureOf(randomSums(3));
     expectError(ExitCode::InvalidInput, "no channel sum.R, which 5 samples take", [&] {
         Image means = picture;
-        means.channels.resize(3);
+        means.channels.resize(4);
         sumsOf(means, 5);
     });
     picture.channels.erase(picture.channels.begin() + 1);
     expectError(ExitCode::InvalidInput, "no channel G", [&] { sumsOf(picture, 4); });
+}
+
+TEST(SampleSums, PicturesWithoutAlphaHaveNoneOfItsSums) {
+    Image picture = pictureOf(randomSums(4));
+    picture.channels.erase(picture.channels.begin() + 3);
+    EXPECT_EQ(sumsOf(picture, 4).sums.channels.size(), 3u);
 }
 
 class GoingOn : public WorldTest {

@@ -97,8 +97,8 @@ TEST_F(WindowTest, AWalk) {
     hand("keyup l");
     viewing.waitForStill();
     hand("key ctrl+s");
-    viewing.waitFor("a saved scene", says("fractal-1.pbrt"));
-    expectScreenshot(viewing, "fractal-2.png", "fractal-1.pbrt");
+    viewing.waitFor("a saved scene, whose film is not the screenshot", says("fractal-2.pbrt"));
+    expectScreenshot(viewing, "fractal-3.png", "fractal-2.pbrt");
 
     hand("key Escape");
     EXPECT_EQ(viewing.finish(), 0) << viewing.errors();
@@ -166,7 +166,7 @@ TEST_F(WindowTest, PicturesByWayOfTheHost) {
     viewing.waitForStill();
     hand("key ctrl+s");
     viewing.waitFor("a saved scene", says("fractal-1.pbrt"));
-    expectScreenshot(viewing, "fractal-1.png", "fractal-1.pbrt");
+    expectScreenshot(viewing, "fractal-2.png", "fractal-1.pbrt");
     hand("key Escape");
     EXPECT_EQ(viewing.finish(), 0) << viewing.errors();
     EXPECT_EQ(viewing.errors(), "");
