@@ -33,6 +33,7 @@ struct BenchOptions {
     std::optional<std::uint64_t> samples;
     std::string csv, json, html, markdown, baseline, beside_mesh;
     bool quick = false;
+    MapOptions map;
 };
 
 // A minute on two slow cores: small maps, a quarter of the pixels, one setting a method.
@@ -67,6 +68,7 @@ Work sceneWork(const BenchOptions& options) {
         scene_options.scene = name;
         scene_options.resolution = options.resolution;
         scene_options.quick = options.quick;
+        scene_options.map = options.map;
         // Parsed before anything is measured: a mistake in the last scene must not cost the first one's time.
         Scene scene = loadScene(scene_options);
         bench::requirePlanet(scene);
@@ -78,6 +80,8 @@ Work sceneWork(const BenchOptions& options) {
 
 Work chooseWork(bench::Suite suite, const BenchOptions& options) {
     if (!options.scenes.empty()) return sceneWork(options);
+    if (options.map != MapOptions())
+        throwUsage("--nodata, --radius and their like are of a map, not of the default suite");
     if (!options.maps.empty()) suite.widths = options.maps;
     if (!options.displacements.empty()) suite.percents = options.displacements;
     if (!options.resolution.empty()) suite.width = options.resolution[0], suite.height = options.resolution[1];
@@ -224,6 +228,7 @@ void addBench(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("bench", "Measure speed against error, beside other methods");
     auto options = std::make_shared<BenchOptions>();
     addSuiteOptions(*command, *options);
+    addMapOptions(*command, options->map);
     auto file = [&](const char* name, std::string& path, const char* help) {
         command->add_option(name, path, help)->type_name("FILE");
     };

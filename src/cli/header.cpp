@@ -3,6 +3,8 @@
 #include "render/raster.h"
 #include "surface/fingerprint.h"
 
+#include <fmt/format.h>
+
 #include <bit>
 
 namespace dsphere::cli {

@@ -152,7 +152,7 @@ std::string plainText(const Json& value) {
 }
 
 // The JSON as lines of "key value", parts indented, a list of numbers on one line.
-void printText(const Json& json, int indent) {
+void printLines(const Json& json, int indent) {
     for (const auto& [key, value] : json.items()) {
         std::string label = fmt::format("{:{}}{}", "", indent, key);
         std::replace(label.begin(), label.end(), '_', ' ');
@@ -162,19 +162,34 @@ void printText(const Json& json, int indent) {
             print("{:<24}{}\n", label, line.substr(0, line.size() - 1));
         } else if (value.is_structured() && !value.empty()) {
             print("{}\n", label);
-            printText(value, indent + 2);
+            printLines(value, indent + 2);
         } else {
             print("{:<24}{}\n", label, value.is_array() ? "none" : plainText(value));
         }
     }
 }
 
-int runInfo(const std::string& path, bool as_json) {
-    Json json = isHeightmap(path) ? describeMapFile(path) : describeSceneFile(path);
+// The map as a scene would show it of which these things are said.
+Json describeShown(const std::string& path, const MapOptions& options) {
+    SceneOptions shown;
+    shown.scene = path;
+    shown.map = options;
+    const Scene scene = loadScene(shown);
+    const SceneMaps maps = loadSceneMaps(scene);
+    Json json = describeShape(scene, maps, 0);
+    json["map"] = describeMap(maps, 0);
+    return json;
+}
+
+int runInfo(const std::string& path, const MapOptions& options, bool as_json) {
+    const bool is_map = isHeightmap(path);
+    if (!is_map) requireNone(options, path);
+    Json json = is_map ? describeMapFile(path) : describeSceneFile(path);
+    if (is_map && options != MapOptions()) json["shown"] = describeShown(path, options);
     if (as_json)
         printText(jsonText(json));
     else
-        printText(json, 0);
+        printLines(json, 0);
     return int(ExitCode::Ok);
 }
 
@@ -185,8 +200,11 @@ void addInfo(CLI::App& app, Action& action) {
     auto path = std::make_shared<std::string>();
     auto json = std::make_shared<bool>(false);
     command->add_option("file", *path, "Scene, or - for standard input, or map")->type_name("FILE")->required();
+    auto options = std::make_shared<MapOptions>();
     command->add_flag("--json", *json, "Print as JSON");
-    command->callback([path, json, &action] { action = [path, json] { return runInfo(*path, *json); }; });
+    addMapOptions(*command, *options);
+    command->callback(
+        [path, options, json, &action] { action = [path, options, json] { return runInfo(*path, *options, *json); }; });
 }
 
 }  // namespace dsphere::cli

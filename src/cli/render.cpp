@@ -208,7 +208,7 @@ Rendered renderAll(Renderer& renderer, const Scene& scene, const RenderOptions& 
                                                    target.name(), samples, wanted, how));
 }
 
-void write(const Target& target, const Image& picture, const Metadata& metadata, const RenderOptions& options) {
+void writeTarget(const Target& target, const Image& picture, const Metadata& metadata, const RenderOptions& options) {
     if (target.format == Format::Exr)
         writeExr(target.path, picture, metadata);
     else
@@ -253,7 +253,7 @@ int runRender(const RenderOptions& options) {
     const int done = rendered.colour.samples;
     std::optional<double> seconds = earlier.device_seconds + renderer.stats().device_seconds;
     if (options.reproducible) seconds.reset();
-    write(target, std::move(rendered).picture(), makeMetadata(scene, origin, done, seconds), options);
+    writeTarget(target, std::move(rendered).picture(), makeMetadata(scene, origin, done, seconds), options);
     if (done < samples) throwPartial(options, target, done, samples);
     const Result result{target, device.info(), renderer, maps, secondsSince(start)};
     if (options.common.json) printJson(result);

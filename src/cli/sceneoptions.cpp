@@ -14,10 +14,6 @@ namespace dsphere::cli {
 
 namespace {
 
-[[noreturn]] void throwUsage(const std::string& message) {
-    throw Error(ExitCode::Usage, message);
-}
-
 void applyFilm(Film& film, const SceneOptions& options) {
     if (!options.resolution.empty()) {
         film.width = options.resolution[0];
@@ -28,16 +24,14 @@ void applyFilm(Film& film, const SceneOptions& options) {
         film.height = std::max(1, film.height / 4);
     }
     if (film.width < 1 || film.height < 1 || film.width > 65536 || film.height > 65536)
-        throwUsage(fmt::format("--resolution: {}x{} is outside 1 to 65536", film.width, film.height));
+        throwUsage("--resolution: {}x{} is outside 1 to 65536", film.width, film.height);
     if (!options.crop.empty()) std::copy(options.crop.begin(), options.crop.end(), film.crop.begin());
     const auto& [x0, x1, y0, y1] = film.crop;
     if (!(x0 >= 0.0 && x0 < x1 && x1 <= 1.0 && y0 >= 0.0 && y0 < y1 && y1 <= 1.0))
-        throwUsage(
-            fmt::format("--cropwindow: {},{},{},{}: expected 0 <= x0 < x1 <= 1 and 0 <= y0 < y1 <= 1", x0, x1, y0, y1));
+        throwUsage("--cropwindow: {},{},{},{}: expected 0 <= x0 < x1 <= 1 and 0 <= y0 < y1 <= 1", x0, x1, y0, y1);
     Box box = cropBox(film);
     if (box.width() < 1 || box.height() < 1)
-        throwUsage(
-            fmt::format("--cropwindow: {},{},{},{} holds no pixel of {}x{}", x0, x1, y0, y1, film.width, film.height));
+        throwUsage("--cropwindow: {},{},{},{} holds no pixel of {}x{}", x0, x1, y0, y1, film.width, film.height);
 }
 
 void exaggerate(Scene& scene, double factor) {
@@ -101,6 +95,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
         ->expected(3)
         ->delimiter(',')
         ->type_name("LAT,LON,ALT");
+    addMapOptions(command, options.map);
     command.add_flag("--quick", options.quick, "A quarter of the resolution and one sample a pixel");
 }
 
@@ -109,7 +104,10 @@ bool isHeightmap(const std::string& name) {
 }
 
 Scene loadScene(const SceneOptions& options) {
-    Scene scene = isHeightmap(options.scene) ? heightmapScene(options.scene) : parseSceneFile(options.scene);
+    const bool is_map = isHeightmap(options.scene);
+    if (!is_map) requireNone(options.map, options.scene);
+    Scene scene = is_map ? heightmapScene(options.scene) : parseSceneFile(options.scene);
+    if (is_map) applyTo(scene, options.map);
     applyFilm(scene.film, options);
     if (options.exaggeration != 1.0) exaggerate(scene, options.exaggeration);
     if (!options.latlon.empty()) lookFromAbove(scene, options.latlon);

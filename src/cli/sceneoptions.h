@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cli/mapoptions.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
 
@@ -19,6 +20,7 @@ struct SceneOptions {
     std::vector<double> latlon;  ///< --lookat-latlon: degrees, degrees, radii above the greatest radius
     double exaggeration = 1.0;
     bool quick = false;
+    MapOptions map;
     Marcher marcher = Marcher::Exact;
 };
 

@@ -24,6 +24,7 @@ int runView(const ViewOptions& options) {
     viewer.samples = options.scene.samples;
     viewer.open = [scene = options.scene](const std::string& path) {
         SceneOptions named = scene;
+        if (path != scene.scene && !isHeightmap(path)) named.map = {};  // they were said of the first map
         named.scene = path;
         return loadScene(named);
     };

@@ -44,7 +44,10 @@ double CommandBuffer::submit() {
     const VkFence fence = fence_.get();
     const auto start = std::chrono::steady_clock::now();
     check(vk.vkQueueSubmit(device_->queue(), 1, &info, fence), "vkQueueSubmit");
-    check(vk.vkWaitForFences(device_->handle(), 1, &fence, VK_TRUE, UINT64_MAX), "vkWaitForFences");
+    const VkResult waited = vk.vkWaitForFences(device_->handle(), 1, &fence, VK_TRUE, UINT64_MAX);
+    // A driver may give the device up as lost while that still works, and what it works on is about to be destroyed.
+    if (waited != VK_SUCCESS) vk.vkDeviceWaitIdle(device_->handle());
+    check(waited, "vkWaitForFences");
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     check(vk.vkResetFences(device_->handle(), 1, &fence), "vkResetFences");
     return seconds.count();

@@ -30,6 +30,10 @@ inline constexpr Range kAnyNumber{};
 inline constexpr Range kPositive{0.0, kInfinity, true};
 inline constexpr Range kNotNegative{0.0, kInfinity};
 inline constexpr Range kFraction{0.0, 1.0};
+// Of displaced spheres. A stored value is what rounds to a finite float: maps hold floats.
+inline constexpr Range kLongitudeOrigin{-360.0, 360.0};
+inline constexpr Range kBlur{0.0, 1000.0};
+inline constexpr Range kStoredValue{-3.4028235e38, 3.4028235e38};
 
 /// One parameter as written: its values are read when their type is asked for.
 struct Parameter {

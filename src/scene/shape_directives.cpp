@@ -5,10 +5,6 @@ namespace dsphere {
 
 namespace {
 
-constexpr Range kBlur{0.0, 1000.0};
-// What rounds to a finite float: maps hold floats.
-constexpr Range kStored{-3.4028235e38, 3.4028235e38};
-
 std::optional<Registration> registrationOf(Parameters& p) {
     std::optional<std::string> word = p.choice("registration", {"texel", "gridline"});
     if (!word) return {};
@@ -49,12 +45,12 @@ DisplacedSphere displacedSphere(Statement s, Parameters& p) {
     if (p.choice("filter", {"bilinear", "bspline"}) == "bspline") sphere.filter = Filter::BSpline;
     sphere.smooth_normals = p.boolean("smoothnormals").value_or(sphere.smooth_normals);
     sphere.registration = registrationOf(p);
-    sphere.longitude_origin = p.number("lonorigin", {-360.0, 360.0});
+    sphere.longitude_origin = p.number("lonorigin", kLongitudeOrigin);
     sphere.height_min = p.number("heightmin", kAnyNumber);
     sphere.height_max = p.number("heightmax", kAnyNumber);
     sphere.height_scale = p.number("heightscale", kAnyNumber);
     sphere.blur = p.number("blur", kBlur).value_or(sphere.blur);
-    sphere.nodata = p.numberOrNan("nodata", kStored);
+    sphere.nodata = p.numberOrNan("nodata", kStoredValue);
     p.finish();
     if (percent && sphere.height_scale) failAt(s.word.where, "maxdispl and heightscale exclude each other: give one");
     if (sphere.height_min && sphere.height_min == sphere.height_max) failAt(s.word.where, "heightmin equals heightmax");

@@ -1,0 +1,40 @@
+// What a run needs and may lose on the way: the device, memory, threads.
+
+#include "tests/cli/fixture.h"
+
+namespace dsphere::test {
+namespace {
+
+class ResourcesTest : public CliTest {
+  protected:
+    void expectDeviceLost(std::vector<std::string> words, int wait) {
+        Launch launch{.arguments = std::move(words)};
+        launch.environment = {"VK_LAYER_PATH=" DSPHERE_FAULT_LAYER, "VK_INSTANCE_LAYERS=VK_LAYER_DSPHERE_fault",
+                              "DSPHERE_LOSE_AT_WAIT=" + std::to_string(wait)};
+        Outcome outcome = run(launch);
+        EXPECT_EQ(outcome.code, 1) << "at wait " << wait << ": " << outcome.err;
+        EXPECT_TRUE(holds(outcome.err, "VK_ERROR_DEVICE_LOST")) << "at wait " << wait;
+    }
+};
+
+// Whatever the device still works on must outlive the message; other threads may be compiling.
+TEST_F(ResourcesTest, ADeviceLostAtAnyWaitIsAnError) {
+    for (int wait = 1; wait <= 20; ++wait) expectDeviceLost({"render", "map.pgm", "-o", "a.exr", "--quiet"}, wait);
+    EXPECT_FALSE(exists("a.exr"));
+    for (int wait : {1, 5, 9, 13}) expectDeviceLost({"verify", "planet.pbrt", "--quiet"}, wait);
+}
+
+// With less and less address space the message changes, but no signal ends the program.
+TEST_F(ResourcesTest, LittleMemoryIsAnError) {
+    for (rlim_t mebibytes : {150, 250, 350, 450, 600, 800, 1000}) {
+        Launch launch{.arguments = {"render", "map.pgm", "-o", "a.exr", "--spp", "1", "--quiet"}};
+        launch.limits = {{RLIMIT_AS, mebibytes << 20}};
+        Outcome outcome = run(launch);
+        EXPECT_TRUE(outcome.code == 1 || outcome.code == 4) << mebibytes << " MiB: " << outcome.code << outcome.err;
+        EXPECT_EQ(outcome.err.rfind("dsphere: error: ", 0), 0u) << mebibytes << " MiB: " << outcome.err;
+    }
+    EXPECT_FALSE(exists("a.exr"));
+}
+
+}  // namespace
+}  // namespace dsphere::test
