@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -24,7 +25,12 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body
         }
     };
     std::vector<std::thread> threads;
-    for (std::size_t k = 1; k < workers; ++k) threads.emplace_back(work);
+    threads.reserve(workers);
+    try {
+        for (std::size_t k = 1; k < workers; ++k) threads.emplace_back(work);
+    } catch (const std::system_error&) {
+        // Memory or processes are short: those that could be started, and this one, do all of it.
+    }
     work();
     for (std::thread& thread : threads) thread.join();
     if (failure) std::rethrow_exception(failure);

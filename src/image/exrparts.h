@@ -20,8 +20,8 @@ Box fromExr(const Imath::Box2i& box);
 using Channels = std::vector<const Channel*>;
 Channels channelsOf(const Image& image);
 
-/// OpenEXR's view of the channels' pixels, those of `data`; they must outlive it. It only reads through the view when it
-/// writes a file.
+/// OpenEXR's view of the channels' pixels, those of `data`; they must outlive it. It only reads through the view when
+/// it writes a file.
 Imf::FrameBuffer makeFrameBuffer(const Box& data, const Channels& channels);
 
 /// Names the channels of the first part that are wanted.
