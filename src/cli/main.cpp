@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <system_error>
@@ -60,6 +61,12 @@ std::string messageOf(const std::system_error& error) {
     return error.code().message();
 }
 
+// After a signal libraries are not waited for: they may take long to take themselves down.
+int ended(int code) {
+    if (caughtSignal() != 0) std::_Exit(code);
+    return code;
+}
+
 }  // namespace
 
 }  // namespace dsphere::cli
@@ -75,7 +82,7 @@ int main(int argc, char** argv) {
         return code;
     } catch (const Error& error) {
         cli::printError(error.what());
-        return cli::exitCodeOf(error);
+        return cli::ended(cli::exitCodeOf(error));
     } catch (const std::bad_alloc&) {
         cli::printError("out of memory");
     } catch (const std::filesystem::filesystem_error& error) {

@@ -217,6 +217,7 @@ void writeTarget(const Target& target, const Image& picture, const Metadata& met
 
 int runRender(const RenderOptions& options) {
     Clock::time_point start = Clock::now();
+    std::optional<Completing> completing;  // lasts until all else is taken down
     Scene scene = loadScene(options.scene);
     if (!options.common.quiet) printNotices(scene.notices);
     scene.integrator.clamp = options.clamp;
@@ -246,7 +247,6 @@ int runRender(const RenderOptions& options) {
     Earlier earlier;
     if (!options.resume.empty()) earlier = readEarlier(options.resume, origin, samples);
     if (earlier.sums.samples > 0 && !earlier.sums.sums.find("A")) target.colours = kColourPlanes;
-    std::optional<Completing> completing;
     if (options.write_partial) completing.emplace();
     Rendered rendered = renderAll(renderer, scene, options, target, std::move(earlier.sums));
     checkValidation(device);
