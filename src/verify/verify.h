@@ -13,7 +13,7 @@ struct Options {
 
 struct Outcome {
     Report report;
-    Image device;  ///< all planes, kVerifyPlanes
+    Image device;  ///< kVerifyPlanes
     RenderStats stats;
 };
 

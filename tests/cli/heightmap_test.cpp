@@ -32,7 +32,7 @@ TEST_F(HeightmapTest, SpansItsOwnRange) {
     Image image = renderAll("range.pgm");
     float least = 2.0f, greatest = 0.0f;
     for (std::size_t i = 0; i < image.pixelCount(); ++i) {
-        if (!image.at("id").uints()[i]) continue;
+        if (image.at("id").floats()[i] == 0.0f) continue;
         float x = image.at("P.X").floats()[i], y = image.at("P.Y").floats()[i], z = image.at("P.Z").floats()[i];
         least = std::min(least, std::sqrt(x * x + y * y + z * z));
         greatest = std::max(greatest, std::sqrt(x * x + y * y + z * z));
@@ -46,10 +46,10 @@ TEST_F(HeightmapTest, SpansItsOwnRange) {
 TEST_F(HeightmapTest, IsFramedWithEastToTheRight) {
     writePgm16(path("flat.pgm"), constantMap(8, 4, 7.0f));
     Image image = renderAll("flat.pgm");
-    const auto& id = image.at("id").uints();
-    for (int x = 0; x < 320; ++x) EXPECT_EQ(id[std::size_t(x)] + id[std::size_t(179 * 320 + x)], 0u) << x;
+    const auto& id = image.at("id").floats();
+    for (int x = 0; x < 320; ++x) EXPECT_EQ(id[std::size_t(x)] + id[std::size_t(179 * 320 + x)], 0.0f) << x;
     int high = 0;
-    for (int y = 0; y < 180; ++y) high += id[std::size_t(y * 320 + 160)] != 0;
+    for (int y = 0; y < 180; ++y) high += id[std::size_t(y * 320 + 160)] != 0.0f;
     EXPECT_GT(high, 140);
     const auto& u = image.at("u").floats();
     EXPECT_GT(u[90 * 320 + 180], u[90 * 320 + 140]);
