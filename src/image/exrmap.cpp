@@ -28,11 +28,12 @@ struct Pixels {
 
     const std::vector<float>& plane(std::size_t k) const { return image.channels[k].floats(); }
     std::size_t colours() const { return choice.values.size(); }
-    /// "colour EXR with alpha, layer View.Combined"
+    /// "colour EXR with alpha, layer View.Combined, part 1 of 2"
     std::string type() const {
         std::string text = colours() == 3 ? "colour EXR" : "EXR";
         if (!choice.alpha.empty()) text += " with alpha";
         if (!choice.layer.empty()) text += ", layer " + choice.layer;
+        if (!other_parts.empty()) text += fmt::format(", part 1 of {}", other_parts.size() + 1);
         return text;
     }
 };

@@ -21,10 +21,10 @@ class Heights {
         alpha_ = AlphaCensus(map.full_scale);
     }
 
-    void put(int j, std::span<const std::uint16_t> row) {
+    /// The next row, which is row `j`.
+    void add(int j, std::span<const std::uint16_t> row) {
         colours_.startRow();
-        float* out = &map_.samples[std::size_t(j) * std::size_t(map_.width)];
-        for (std::size_t at = 0; at < row.size(); at += channels_, ++out) *out = height(row, at, j);
+        for (std::size_t at = 0; at < row.size(); at += channels_) map_.samples.push_back(height(row, at, j));
     }
 
     void report() {
@@ -44,7 +44,7 @@ class Heights {
             case PngRows::Colour::Rgba:
                 return alpha_.isKnown(row[at + 3]) ? grey(&row[at]) : kUnknown;
             case PngRows::Colour::Palette:
-                return entry(row[at], at, j);
+                return entry(row[at], at, j);  // one channel: `at` is the column
         }
         return kUnknown;
     }
@@ -104,9 +104,9 @@ RawMap readPng(InputFile& file) {
     map.width = png.width();
     map.height = png.height();
     map.type = typeOf(png);
-    map.samples.resize(std::size_t(map.width) * std::size_t(map.height));
+    map.samples.reserve(std::size_t(map.width) * std::size_t(map.height));  // used up only as far as there are rows
     Heights heights(file, png, map);
-    png.read([&](int j, std::span<const std::uint16_t> row) { heights.put(j, row); });
+    png.read([&](int j, std::span<const std::uint16_t> row) { heights.add(j, row); });
     heights.report();
     return map;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "image/codecs.h"
@@ -25,25 +26,25 @@ float load(const std::uint8_t* bytes) {
     return float(sample);
 }
 
-/// The first colour of a row in each plane (grey: all the same one), and the bytes from texel to texel.
+/// The first sample of each colour (grey: all the same one) and of alpha in a run of texels, and the bytes from texel
+/// to texel.
 struct Row {
     std::array<const std::uint8_t*, 3> colours;
+    const std::uint8_t* alpha;  ///< nullptr: none
     std::size_t step;
 };
 
+/// One colour of a run of texels.
 template <typename Sample>
-void toFloats(Row row, bool grey, float* out, std::size_t count) {
-    for (std::size_t at = 0; count > 0; --count, at += row.step, ++out) {
-        const float first = load<Sample>(row.colours[0] + at);
-        *out = grey ? first : meanOf(first, load<Sample>(row.colours[1] + at), load<Sample>(row.colours[2] + at));
-    }
+void toFloats(const std::uint8_t* first, std::size_t step, float* out, std::size_t count) {
+    for (; count > 0; --count, first += step, ++out) *out = load<Sample>(first);
 }
 
 struct Kind {
     std::uint16_t bits, format;
     double full_scale;
     const char* name;
-    void (*toFloats)(Row, bool grey, float*, std::size_t);
+    void (*toFloats)(const std::uint8_t* first, std::size_t step, float* out, std::size_t count);
 };
 constexpr std::array kKinds{
     Kind{8, SAMPLEFORMAT_UINT, 255.0, "8-bit TIFF", toFloats<std::uint8_t>},
@@ -59,17 +60,25 @@ struct Layout {
     std::int64_t width = 0, height = 0;
     int samples = 1;                       ///< a texel, with alpha
     bool grey = true;                      ///< else RGB
+    bool alpha = false;                    ///< the sample after grey or RGB is alpha
     bool separate = false, tiled = false;  ///< separate: each sample in blocks of its own
     std::uint64_t packing = 1;             ///< the most that a stored byte unpacks to
     std::int64_t block_width = 0, block_height = 0, across = 0, down = 0;
 
-    int planes() const { return !separate || grey ? 1 : 3; }  ///< that are read
+    int colours() const { return grey ? 1 : 3; }
+    int planes() const { return separate ? colours() + int(alpha) : 1; }  ///< that are read
     std::size_t texelBytes() const { return std::size_t(kind->bits / 8 * (separate ? 1 : samples)); }
     std::size_t rowBytes() const { return std::size_t(block_width) * texelBytes(); }
     std::int64_t rowsOf(std::int64_t by) const { return std::min(block_height, height - by * block_height); }
     /// Of a block in that row of blocks as it is stored: tiles are whole, the last strip may be cut.
     std::uint64_t blockBytes(std::int64_t by) const {
         return rowBytes() * std::uint64_t(tiled ? block_height : rowsOf(by));
+    }
+    /// `apart` is the bytes from sample to sample of a texel.
+    Row rowAt(const std::uint8_t* first, std::size_t apart) const {
+        const std::size_t next = grey ? 0 : apart;
+        const std::uint8_t* last = alpha ? first + std::size_t(colours()) * apart : nullptr;
+        return {{first, first + next, first + 2 * next}, last, texelBytes()};
     }
     std::uint32_t index(int plane, std::int64_t bx, std::int64_t by) const {
         return std::uint32_t((plane * down + by) * across + bx);
@@ -94,6 +103,10 @@ void setColours(const InputFile& file, TIFF* tiff, Layout& layout) {
             "TIFF: {} samples a texel of photometric interpretation {}; expected grey (0 or 1) of 1 or 2 samples or "
             "RGB (2) of 3 or 4",
             layout.samples, photometric);
+    std::uint16_t extra = 0;
+    const std::uint16_t* meaning = nullptr;
+    layout.alpha = TIFFGetField(tiff, TIFFTAG_EXTRASAMPLES, &extra, &meaning) && extra == 1 &&
+                   layout.samples == layout.colours() + 1 && meaning[0] != EXTRASAMPLE_UNSPECIFIED;
 }
 
 void setBlocks(const InputFile& file, TIFF* tiff, Layout& layout) {
@@ -180,8 +193,7 @@ void readBlock(TiffSource& source, TIFF* tiff, const Layout& layout, std::uint32
 void readBlocks(TiffSource& source, TIFF* tiff, const Layout& layout, const Use& use) {
     const std::size_t bytes = layout.blockBytes(0);
     std::vector<std::uint8_t> blocks(bytes * std::size_t(layout.planes()));
-    // From colour to colour of a texel.
-    const std::size_t apart = layout.grey ? 0 : layout.separate ? bytes : std::size_t(layout.kind->bits / 8);
+    const std::size_t apart = layout.separate ? bytes : std::size_t(layout.kind->bits / 8);
     for (std::int64_t by = 0; by < layout.down; ++by) {
         source.forget();
         for (std::int64_t bx = 0; bx < layout.across; ++bx) {
@@ -192,7 +204,7 @@ void readBlocks(TiffSource& source, TIFF* tiff, const Layout& layout, const Use&
             const std::int64_t columns = std::min(layout.block_width, layout.width - left);
             for (std::int64_t j = 0; j < layout.rowsOf(by); ++j) {
                 const std::uint8_t* row = &blocks[std::size_t(j) * layout.rowBytes()];
-                use(left, top + j, {{row, row + apart, row + 2 * apart}, layout.texelBytes()}, std::size_t(columns));
+                use(left, top + j, layout.rowAt(row, apart), std::size_t(columns));
             }
         }
     }
@@ -202,20 +214,26 @@ void readBlocks(TiffSource& source, TIFF* tiff, const Layout& layout, const Use&
 void readRows(TiffSource& source, TIFF* tiff, const Layout& layout, const Use& use) {
     constexpr std::size_t kForgetBytes = std::size_t(16) << 20;
     std::vector<std::uint8_t> row(layout.rowBytes());
-    const std::size_t apart = layout.grey ? 0 : std::size_t(layout.kind->bits / 8);
-    const std::uint8_t* first = row.data();
+    const Row texels = layout.rowAt(row.data(), std::size_t(layout.kind->bits / 8));
     std::size_t decoded = 0;
     if (TIFFScanlineSize64(tiff) != row.size())
         source.file.invalid("TIFF: rows of {} bytes, expected {}", TIFFScanlineSize64(tiff), row.size());
     for (std::int64_t j = 0; j < layout.height; ++j) {
         if (TIFFReadScanline(tiff, row.data(), std::uint32_t(j), 0) < 0)
             source.fail(fmt::format("row {} cannot be decoded", j));
-        use(0, j, {{first, first + apart, first + 2 * apart}, layout.texelBytes()}, std::size_t(layout.width));
+        use(0, j, texels, std::size_t(layout.width));
         decoded += row.size();
         if (decoded < kForgetBytes) continue;
         source.forget();
         decoded = 0;
     }
+}
+
+/// "16-bit colour TIFF with alpha"
+std::string typeOf(const Layout& layout) {
+    std::string type = layout.kind->name;
+    if (!layout.grey) type.insert(type.rfind(' '), " colour");
+    return layout.alpha ? type + " with alpha" : type;
 }
 
 /// Calls `start(layout)` when the header and the blocks' places have been checked, then the Use that it returns.
@@ -232,21 +250,57 @@ void readPage(InputFile& file, Start start) {
     by_rows ? readRows(source, tiff.get(), layout, use) : readBlocks(source, tiff.get(), layout, use);
 }
 
+/// Turns runs of texels into heights: grey ones as they are, colours and those with alpha by way of the censuses.
+class Heights {
+  public:
+    Heights(const Layout& layout, RawMap& map)
+        : kind_(*layout.kind), plain_(layout.grey && !layout.alpha), map_(map), alpha_(layout.kind->full_scale) {
+        for (auto& plane : planes_) plane.resize(plain_ ? 0 : std::size_t(layout.block_width));
+    }
+
+    void put(std::int64_t column, std::int64_t row, Row texels, std::size_t count) {
+        float* out = &map_.samples[std::size_t(row * map_.width + column)];
+        if (plain_) return kind_.toFloats(texels.colours[0], texels.step, out, count);
+        for (std::size_t c = 0; c < 3; ++c) kind_.toFloats(texels.colours[c], texels.step, planes_[c].data(), count);
+        if (texels.alpha) kind_.toFloats(texels.alpha, texels.step, planes_[3].data(), count);
+        colours_.startRow();
+        for (std::size_t k = 0; k < count; ++k)
+            out[k] = texels.alpha && !alpha_.isKnown(planes_[3][k])
+                         ? std::numeric_limits<float>::quiet_NaN()
+                         : colours_.grey(planes_[0][k], planes_[1][k], planes_[2][k]);
+    }
+
+    void report(const std::string& path) const {
+        colours_.report(map_, path);
+        alpha_.report(map_, path);
+    }
+
+  private:
+    const Kind& kind_;
+    bool plain_;
+    RawMap& map_;
+    std::array<std::vector<float>, 4> planes_;  ///< of a run: red, green, blue, alpha
+    ColourCensus colours_;
+    AlphaCensus alpha_;
+};
+
 }  // namespace
 
 RawMap readTiff(InputFile& file) {
     RawMap map;
-    readPage(file, [&map](const Layout& layout) -> Use {
+    std::optional<Heights> heights;
+    readPage(file, [&](const Layout& layout) -> Use {
         map.width = int(layout.width);
         map.height = int(layout.height);
         map.full_scale = layout.kind->full_scale;
-        map.type = layout.kind->name;
+        map.type = typeOf(layout);
         map.samples.resize(std::size_t(layout.width) * std::size_t(layout.height));
-        return [&map, kind = layout.kind, grey = layout.grey](std::int64_t column, std::int64_t row, Row texels,
-                                                              std::size_t count) {
-            kind->toFloats(texels, grey, &map.samples[std::size_t(row * map.width + column)], count);
+        heights.emplace(layout, map);
+        return [&](std::int64_t column, std::int64_t row, Row texels, std::size_t count) {
+            heights->put(column, row, texels, count);
         };
     });
+    heights->report(file.name());
     return map;
 }
 
@@ -263,8 +317,7 @@ RawColour readTiffColour(InputFile& file) {
         values.resize(3 * plane.size());
         return [&, width = layout.width](std::int64_t column, std::int64_t row, Row texels, std::size_t count) {
             for (std::size_t c = 0; c < 3; ++c) {
-                const std::uint8_t* colour = texels.colours[c];
-                kind.toFloats({{colour, colour, colour}, texels.step}, true, plane.data(), count);
+                kind.toFloats(texels.colours[c], texels.step, plane.data(), count);
                 for (std::size_t k = 0; k < count; ++k) values[3 * k + c] = plane[k];
             }
             sink->put(std::size_t(row * width + column), count, values.data(), 3);

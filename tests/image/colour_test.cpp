@@ -143,6 +143,16 @@ TEST(Colour, Refusals) {
     EXPECT_TRUE(holds(refusal("a.jpg", jpegFile(8, 8, Codes(192, 9), {.arithmetic = true})), "arithmetic"));
 }
 
+// stb_image has no reason for a block of deflate's type 3, and would tell that of an earlier failure.
+TEST(Colour, APngThatFailsTellsItsOwnReason) {
+    const std::string header = big32(1) + big32(1) + std::string{8, 0, 0, 0, 0};
+    const auto png = [&](const std::string& data) {
+        return "\x89PNG\r\n\x1a\n" + pngChunk("IHDR", header) + pngChunk("IDAT", data) + pngChunk("IEND", "");
+    };
+    EXPECT_TRUE(holds(refusal("a.png", png("no zlib stream")), "cannot be decoded: bad zlib header"));
+    EXPECT_TRUE(holds(refusal("a.png", png("\x78\x01\x07")), "cannot be decoded: its compressed data are damaged"));
+}
+
 // The height and width of a frame header, at the bytes after ff c0: a small file that promises a large image.
 TEST(Colour, AJpegOfAbsurdSize) {
     std::string bytes = jpegFile(8, 8, Codes(192, 9), {});

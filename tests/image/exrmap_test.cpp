@@ -139,8 +139,9 @@ TEST(ExrMap, FurtherPartsAreNamed) {
     const TempFolder folder;
     const auto path = folder.path() / "parts.exr";
     writeExrParts(path, {"height", "mask", "beauty"}, {Imf::SCANLINEIMAGE, Imf::SCANLINEIMAGE, Imf::SCANLINEIMAGE});
-    EXPECT_TRUE(holds(readRawMap(path).notices.at(0).text,
-                      "only the first of its 3 parts is read; the others are mask, beauty"));
+    const RawMap map = readRawMap(path);
+    EXPECT_EQ(map.type, "EXR, part 1 of 3");
+    EXPECT_TRUE(holds(map.notices.at(0).text, "only the first of its 3 parts is read; the others are mask, beauty"));
     writeExrParts(path, {"deep"}, {Imf::DEEPSCANLINE});
     EXPECT_TRUE(holds(messageOf(ExitCode::InvalidInput, [&] { readRawMap(path); }), "deep data"));
 }

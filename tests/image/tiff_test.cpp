@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 
 #include "image/rawmap.h"
@@ -113,7 +114,31 @@ TEST(Tiff, AStripOfTheWholeMap) {
     expectEveryValue<std::uint16_t>(form, 65535.0, "16-bit TIFF");
 }
 
-TEST(Tiff, AveragesColourAndIgnoresAlpha) {
+TEST(Tiff, AlphaZeroIsUnknownAndColoursAreWarnedOf) {
+    for (TiffForm form : forms()) {
+        SCOPED_TRACE(nameOf(form));
+        form.samples = 4;
+        form.photometric = PHOTOMETRIC_RGB;
+        const RawMap colour = readTiffOf(tiffFile<std::uint8_t>(form, 3, 1, {1, 2, 99, 255, 9, 9, 9, 7, 1, 200, 3, 0}));
+        EXPECT_EQ(colour.type, "8-bit colour TIFF with alpha");
+        EXPECT_EQ(colour.samples[0], 34.0f);
+        EXPECT_EQ(colour.samples[1], 9.0f);
+        EXPECT_TRUE(std::isnan(colour.samples[2]));
+        EXPECT_TRUE(colour.unknown_are_nan);
+        ASSERT_EQ(colour.notices.size(), 2u);
+        EXPECT_TRUE(holds(colour.notices[0].text, "channels differ (R 1 to 9, G 2 to 9, B 9 to 99)"));
+        EXPECT_TRUE(holds(colour.notices[1].text, "partly transparent texels: 1"));
+        form.samples = 2;
+        form.photometric = PHOTOMETRIC_MINISBLACK;
+        const RawMap grey = readTiffOf(tiffFile<float>(form, 1, 2, {-1000, 0, 2000, 1}));
+        EXPECT_EQ(grey.type, "float32 TIFF with alpha");
+        EXPECT_TRUE(std::isnan(grey.samples[0]));
+        EXPECT_EQ(grey.samples[1], 2000.0f);
+        EXPECT_TRUE(grey.notices.empty());
+    }
+}
+
+TEST(Tiff, AveragesColour) {
     const std::vector<std::uint16_t> texels{1, 2, 4, 9, 65535, 65535, 65535, 8, 7, 7, 7, 7};
     for (TiffForm form : forms()) {
         SCOPED_TRACE(nameOf(form));
