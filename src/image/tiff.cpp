@@ -248,6 +248,7 @@ void readPage(InputFile& file, Start start) {
     const Use use = start(layout);
     const bool by_rows = !layout.tiled && layout.planes() == 1;
     by_rows ? readRows(source, tiff.get(), layout, use) : readBlocks(source, tiff.get(), layout, use);
+    source.checkIsWhole();
 }
 
 /// Turns runs of texels into heights: grey ones as they are, colours and those with alpha by way of the censuses.

@@ -1,9 +1,5 @@
 #include "image/tiffsource.h"
 
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdarg>
 #include <cstdio>
@@ -15,7 +11,7 @@ namespace dsphere {
 namespace {
 
 // A compressed strip is decoded from a copy of the whole of it, unless the file is mapped. Below this the copy does not
-// matter, and a file that another program cuts short while it is read is then an error, not a fault.
+// matter.
 constexpr std::uint64_t kLeastMapped = std::uint64_t(64) << 20;
 
 tmsize_t readBytes(thandle_t handle, void* to, tmsize_t count) try {
@@ -50,19 +46,15 @@ toff_t sizeOf(thandle_t handle) {
 
 int mapFile(thandle_t handle, void** base, toff_t* size) {
     TiffSource& source = *static_cast<TiffSource*>(handle);
-    const int descriptor = open(source.file.name().c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) return 0;
-    void* mapped = mmap(nullptr, source.file.size(), PROT_READ, MAP_PRIVATE, descriptor, 0);
-    close(descriptor);
-    if (mapped == MAP_FAILED) return 0;
-    *base = source.mapped = mapped;
+    source.mapped = MappedFile::open(source.file.name(), source.file.size());
+    if (!source.mapped) return 0;
+    *base = source.mapped->data();
     *size = source.file.size();
     return 1;
 }
 
-void unmapFile(thandle_t handle, void* base, toff_t size) {
-    munmap(base, std::size_t(size));
-    static_cast<TiffSource*>(handle)->mapped = nullptr;
+void unmapFile(thandle_t handle, void*, toff_t) {
+    static_cast<TiffSource*>(handle)->mapped.reset();
 }
 
 int keepError(TIFF*, void* user, const char*, const char* format, va_list arguments) {
@@ -79,11 +71,16 @@ int dropWarning(TIFF*, void*, const char*, const char*, va_list) {
 }  // namespace
 
 void TiffSource::fail(std::string_view what) const {
+    checkIsWhole();
     file.invalid("TIFF: {}: {}", what, reason[0] ? reason.data() : "unknown reason");
 }
 
+void TiffSource::checkIsWhole() const {
+    if (mapped && mapped->isCut()) file.invalid("was cut short while it was read");
+}
+
 void TiffSource::forget() const {
-    if (mapped) madvise(mapped, std::size_t(file.size()), MADV_DONTNEED);
+    if (mapped) mapped->forget();
 }
 
 TiffHandle openTiff(TiffSource& source, std::uint64_t most_memory) {

@@ -11,18 +11,21 @@
 #include <string_view>
 
 #include "image/inputfile.h"
+#include "image/mappedfile.h"
 
 namespace dsphere {
 
 /// What libtiff calls back with; must outlive the handle.
 struct TiffSource {
     InputFile& file;
-    std::uint64_t position = 0;      ///< may lie beyond the end
-    std::array<char, 256> reason{};  ///< the first error told
-    void* mapped = nullptr;          ///< the file in memory, if it is large
+    std::uint64_t position = 0;            ///< may lie beyond the end
+    std::array<char, 256> reason{};        ///< the first error told
+    std::unique_ptr<MappedFile> mapped{};  ///< the file in memory, if it is large
 
     /// Throws, with the reason if libtiff told one.
     [[noreturn]] void fail(std::string_view what) const;
+    /// Throws if another program cut the file short while it was read.
+    void checkIsWhole() const;
     /// Gives back the memory of what has been read of a large file; it is read again where it is needed again.
     void forget() const;
 };
