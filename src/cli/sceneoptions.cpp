@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "cli/commands.h"
-#include "image/rawmap.h"
+#include "geo/mapfile.h"
 #include "render/raster.h"
 #include "scene/heightmapscene.h"
 #include "scene/parser.h"
@@ -100,7 +100,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
 }
 
 bool isHeightmap(const std::string& name) {
-    return name != "-" && looksLikeMap(name);
+    return name != "-" && geo::looksLikeMap(name);
 }
 
 Scene loadScene(const SceneOptions& options) {

@@ -63,12 +63,14 @@ void applyGeoidComments(const std::string& comments, RawMap& map, const std::str
     const std::optional<double> offset = numberOf(valueOf(comments, "Offset"));
     const std::optional<double> scale = numberOf(valueOf(comments, "Scale"));
     if (!offset || !scale || *scale == 0.0) return;
-    map.value_offset = offset;
-    map.value_scale = scale;
-    map.unit = std::string("m");  // GCC 12 warns of an overlap when the characters are assigned
+    map.facts.value_offset = offset;
+    map.facts.value_scale = scale;
+    map.facts.unit = std::string("m");  // GCC 12 warns of an overlap when the characters are assigned
     const std::string_view origin = valueOf(comments, "Origin");
     if (!origin.empty()) map.longitude_origin = originOf(origin, path);
     map.gridline = valueOf(comments, "AREA_OR_POINT") == "Point";
+    for (const char* property : {"unit", "scale", "offset", "registration", "longitude_origin"})
+        map.facts.sources[property] = "label";
     map.notices.push_back(
         {Notice::Kind::Note, fmt::format("{}: by its comments, heights in metres are {} + {} x the stored values, the "
                                          "longitude origin is {} and the registration {}",

@@ -1,6 +1,8 @@
 #include "image/tiffcheck.h"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 // TIFF 6.0, section 2, and BigTIFF, whose counts and offsets have 8 bytes where TIFF's have 2 or 4.
@@ -36,24 +38,42 @@ std::size_t typeBytes(std::uint64_t type) {
     return type < kBytes.size() ? kBytes[type] : 0;
 }
 
-void checkEntry(const InputFile& file, const Format& format, const std::uint8_t* entry) {
-    const std::size_t word = format.wordBytes();
-    const std::size_t each = typeBytes(format.load(entry + 2, 2));
-    const std::uint64_t count = format.load(entry + 4, word);
-    if (each == 0 || count <= word / each) return;  // nothing, or within the entry
-    const std::uint64_t offset = format.load(entry + 4 + word, word);
-    if (offset > file.size() || count > (file.size() - offset) / each)
+/// One field of a directory, as it lies in the file.
+struct Entry {
+    std::uint64_t tag, type, count;
+    std::uint64_t offset;          ///< of its values, when they do not fit into the entry
+    const std::uint8_t* in_entry;  ///< the values themselves when they do
+
+    bool fits(const Format& format) const { return count <= format.wordBytes() / typeBytes(type); }
+};
+
+void checkEntry(const InputFile& file, const Format& format, const Entry& entry) {
+    const std::size_t each = typeBytes(entry.type);
+    if (each == 0 || entry.fits(format)) return;
+    if (entry.offset > file.size() || entry.count > (file.size() - entry.offset) / each)
         file.invalid("TIFF: truncated or damaged: tag {} has {} values of {} bytes at byte {}, the file {} bytes",
-                     format.load(entry, 2), count, each, offset, file.size());
+                     entry.tag, entry.count, each, entry.offset, file.size());
 }
 
-}  // namespace
+/// The first directory; `bytes` holds what the entries point into.
+struct Directory {
+    Format format;
+    std::vector<std::uint8_t> bytes;
+    std::vector<Entry> entries;
 
-void checkTiffDirectory(InputFile& file) {
+    const Entry* find(std::uint64_t tag) const {
+        const auto found = std::ranges::find(entries, tag, &Entry::tag);
+        return found == entries.end() || typeBytes(found->type) == 0 ? nullptr : &*found;
+    }
+};
+
+Directory readDirectory(InputFile& file) {
     file.rewind();
     std::array<std::uint8_t, 4> magic;
     file.read(magic.data(), magic.size());
-    Format format{.little = magic[0] == 'I'};
+    Directory directory;
+    Format& format = directory.format;
+    format.little = magic[0] == 'I';
     format.big = format.load(&magic[2], 2) == 43;
     if (format.big && (readNumber(file, format, 2) != 8 || readNumber(file, format, 2) != 0))
         file.invalid("TIFF: the header of a BigTIFF is damaged, expected offsets of 8 bytes");
@@ -62,16 +82,91 @@ void checkTiffDirectory(InputFile& file) {
         file.invalid("TIFF: truncated or damaged: the first directory is at byte {}, the file has {} bytes", first,
                      file.size());
     file.seek(first);
-    const std::uint64_t entries = readNumber(file, format, format.big ? 8 : 2);
-    if (entries < 1 || entries > kMaxEntries)
-        file.invalid("TIFF: the first directory has {} entries, expected 1 to {}", entries, kMaxEntries);
-    std::vector<std::uint8_t> bytes(std::size_t(entries) * format.entryBytes());
-    file.read(bytes.data(), bytes.size());
-    for (std::size_t k = 0; k < entries; ++k) checkEntry(file, format, &bytes[k * format.entryBytes()]);
-    const std::uint64_t next = readNumber(file, format, format.wordBytes());
+    const std::uint64_t count = readNumber(file, format, format.big ? 8 : 2);
+    if (count < 1 || count > kMaxEntries)
+        file.invalid("TIFF: the first directory has {} entries, expected 1 to {}", count, kMaxEntries);
+    directory.bytes.resize(std::size_t(count) * format.entryBytes());
+    file.read(directory.bytes.data(), directory.bytes.size());
+    const std::size_t word = format.wordBytes();
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::uint8_t* at = &directory.bytes[k * format.entryBytes()];
+        directory.entries.push_back({format.load(at, 2), format.load(at + 2, 2), format.load(at + 4, word),
+                                     format.load(at + 4 + word, word), at + 4 + word});
+        checkEntry(file, format, directory.entries.back());
+    }
+    const std::uint64_t next = readNumber(file, format, word);
     if (next >= file.size())
         file.invalid("TIFF: truncated or damaged: the second directory is at byte {}, the file has {} bytes", next,
                      file.size());
+    return directory;
+}
+
+/// All values of an entry of integers.
+std::vector<std::uint64_t> valuesOf(InputFile& file, const Format& format, const Entry& entry) {
+    const std::size_t each = typeBytes(entry.type);
+    std::vector<std::uint8_t> bytes(std::size_t(entry.count) * each);
+    if (entry.fits(format)) {
+        std::copy_n(entry.in_entry, bytes.size(), bytes.begin());
+    } else {
+        file.seek(entry.offset);
+        file.read(bytes.data(), bytes.size());
+    }
+    std::vector<std::uint64_t> values(std::size_t(entry.count));
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] = format.load(&bytes[k * each], each);
+    return values;
+}
+
+std::uint64_t firstValue(InputFile& file, const Directory& directory, std::uint64_t tag, std::uint64_t otherwise) {
+    const Entry* entry = directory.find(tag);
+    return entry && entry->count > 0 ? valuesOf(file, directory.format, *entry)[0] : otherwise;
+}
+
+/// Whether a strip or tile was never written: GDAL's "sparse" files, where such a block counts as nodata.
+bool isSparse(InputFile& file, const Directory& directory) {
+    for (const auto& [offset_tag, count_tag] : {std::pair{273, 279}, std::pair{324, 325}}) {
+        const Entry *offset_entry = directory.find(std::uint64_t(offset_tag)),
+                    *count_entry = directory.find(std::uint64_t(count_tag));
+        if (!offset_entry || !count_entry) continue;
+        const auto offsets = valuesOf(file, directory.format, *offset_entry);
+        const auto counts = valuesOf(file, directory.format, *count_entry);
+        for (std::size_t k = 0; k < std::min(offsets.size(), counts.size()); ++k)
+            if (offsets[k] == 0 && counts[k] == 0) return true;
+    }
+    return false;
+}
+
+bool isPlainSample(std::uint64_t bits, std::uint64_t format) {
+    constexpr std::uint64_t kUnsigned = 1, kSigned = 2, kFloat = 3;
+    return ((format == kUnsigned || format == kSigned) && (bits == 8 || bits == 16)) ||
+           (format == kFloat && bits == 32);
+}
+
+}  // namespace
+
+void checkTiffDirectory(InputFile& file) {
+    readDirectory(file);
+}
+
+std::string whatPlainTiffLacks(InputFile& file) {
+    struct Meaning {
+        std::uint64_t tag;
+        const char* says;
+    };
+    constexpr std::array kMeanings{
+        Meaning{33550, "the size of its texels on the planet"},
+        Meaning{33922, "where it lies on the planet"},
+        Meaning{34264, "where it lies on the planet"},
+        Meaning{34735, "its projection"},
+        Meaning{42112, "what its values mean"},
+        Meaning{42113, "which value means \"unknown\""},
+    };
+    const Directory directory = readDirectory(file);
+    for (const Meaning& meaning : kMeanings)
+        if (directory.find(meaning.tag)) return fmt::format("its tag {} says {}", meaning.tag, meaning.says);
+    const std::uint64_t bits = firstValue(file, directory, 258, 1), format = firstValue(file, directory, 339, 1);
+    if (!isPlainSample(bits, format)) return fmt::format("its samples have {} bits in format {}", bits, format);
+    if (isSparse(file, directory)) return "some of its strips or tiles were never written";
+    return "";
 }
 
 }  // namespace dsphere

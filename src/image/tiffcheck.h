@@ -2,11 +2,18 @@
 
 #include "image/inputfile.h"
 
+#include <string>
+
 namespace dsphere {
 
 /// Throws unless the header and the first directory of a TIFF file (classic or BigTIFF, from its first byte) lie
 /// within the file, with every value that the directory's entries point to. libtiff itself reads on with a warning
 /// when some of them are cut off. Leaves the file at any position.
 void checkTiffDirectory(InputFile& file);
+
+/// What the first directory says that readTiff would ignore or cannot read: "its tag 33922 says where it lies on the
+/// planet", "its samples have 12 bits in format 1"; empty where readTiff takes in all there is. Throws as
+/// checkTiffDirectory does.
+std::string whatPlainTiffLacks(InputFile& file);
 
 }  // namespace dsphere

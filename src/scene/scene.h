@@ -106,6 +106,7 @@ struct DisplacedSphere {
     std::optional<double> longitude_origin;  ///< degrees at the image's left edge; unset: the map's own, else -180
     double blur = 0.0;                       ///< sigma of a Gaussian in texels, 0 to 1000; 0: none
     std::optional<double> nodata;            ///< the stored value that means "unknown"; may be NaN
+    std::optional<int> band;                 ///< of a file with several, from 1; unset: see geo/readmap.h
     Filter filter = Filter::Bilinear;
     std::optional<Ripples> ripples;  ///< in place of a map
     bool smooth_normals = false;     ///< shading normals are the B-spline's, whatever the filter

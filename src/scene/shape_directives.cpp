@@ -11,7 +11,7 @@ std::optional<Registration> registrationOf(Parameters& p) {
     return *word == "texel" ? Registration::Texel : Registration::Gridline;
 }
 
-constexpr int kMostRipples = 512;
+constexpr int kMostRipples = 512, kMostBands = 65536;
 
 // What a closed form replaces or has no use for is an error beside it, and so are its frequencies without it.
 std::optional<Ripples> ripplesOf(Parameters& p) {
@@ -25,7 +25,7 @@ std::optional<Ripples> ripplesOf(Parameters& p) {
                 failAt(*where, "{} belongs to a displacementfunction, which is not given", frequency);
         return {};
     }
-    for (const char* other : {"displacementmap", "filter", "registration", "blur", "nodata"})
+    for (const char* other : {"displacementmap", "filter", "registration", "blur", "nodata", "band"})
         if (auto where = p.placeOf(other))
             failAt(*where, "{} and displacementfunction exclude each other: give one", other);
     return ripples;
@@ -51,6 +51,7 @@ DisplacedSphere displacedSphere(Statement s, Parameters& p) {
     sphere.height_scale = p.number("heightscale", kAnyNumber);
     sphere.blur = p.number("blur", kBlur).value_or(sphere.blur);
     sphere.nodata = p.numberOrNan("nodata", kStoredValue);
+    sphere.band = p.integer("band", 1, kMostBands);
     p.finish();
     if (percent && sphere.height_scale) failAt(s.word.where, "maxdispl and heightscale exclude each other: give one");
     if (sphere.height_min && sphere.height_min == sphere.height_max) failAt(s.word.where, "heightmin equals heightmax");

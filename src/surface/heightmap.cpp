@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "geo/readmap.h"
 #include "surface/blur.h"
 #include "surface/fill.h"
 #include "surface/preparemap.h"
@@ -52,6 +53,52 @@ std::string describeTexel(const Heightmap& map, std::size_t index) {
 
 }  // namespace
 
+namespace {
+
+/// Where the registration and the longitude origin came from, if not from the file.
+void tellSources(Heightmap& map, const RawMap& raw, const DisplacedSphere& shape) {
+    auto& sources = map.facts.sources;
+    if (shape.registration) sources["registration"] = "scene";
+    if (shape.longitude_origin) sources["longitude_origin"] = "scene";
+    if (shape.nodata && !std::isnan(*shape.nodata)) sources["nodata"] = "scene";
+    sources.emplace("registration", "default");
+    sources.emplace("longitude_origin", raw.longitude_origin ? "label" : "default");
+}
+
+/// The greatest of 1, 2, 5, 10, 20 ... that is no greater than x, which is at least 1.
+double roundDown(double x) {
+    const double power = std::pow(10.0, std::floor(std::log10(x)));
+    for (const double digit : {5.0, 2.0})
+        if (digit * power <= x) return digit * power;
+    return power;
+}
+
+}  // namespace
+
+std::optional<TrueScale> trueScaleOf(const DisplacedSphere& shape, const Heightmap& map) {
+    constexpr double kUsualPercent = 5.0;
+    const MapFacts& facts = map.facts;
+    if (!shape.own_range || shape.height_min || shape.height_max || shape.height_scale || !facts.radius ||
+        facts.unit != "m" || !(map.greatest > map.least))
+        return {};
+    const double metres = facts.value_scale.value_or(1.0), zero = -facts.heightOf(0.0) / metres;
+    const double range = std::abs(metres) * (double(map.greatest) - double(map.least));
+    const double visible = kUsualPercent / 100.0 * *facts.radius / range;
+    TrueScale scale;
+    scale.exaggeration = roundDown(std::max(1.0, visible)) * shape.max_displacement / kUsualPercent;
+    scale.height_scale = shape.radius * scale.exaggeration * metres / *facts.radius;
+    scale.midlevel = zero;
+    return scale;
+}
+
+Notice exaggerationNote(const TrueScale& scale, const Heightmap& map) {
+    return {
+        Notice::Kind::Note,
+        fmt::format("{}: on a sphere of {:.8g} m heights are drawn {:.4g} times as high as they are; --exaggeration "
+                    "multiplies that",
+                    map.path, *map.facts.radius, scale.exaggeration)};
+}
+
 Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape) {
     assert(raw.width > 0 && raw.height > 0);
     assert(raw.samples.size() == std::size_t(raw.width) * std::size_t(raw.height));
@@ -65,6 +112,8 @@ Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape) {
     map.samples = std::move(raw.samples);
     map.path = shape.map_path;
     map.type = std::move(raw.type);
+    map.facts = std::move(raw.facts);
+    tellSources(map, raw, shape);
     map.notices = std::move(raw.notices);
     const Nodata nodata(shape.nodata, raw.unknown_are_nan);
     if (map.registration == Registration::Gridline && map.height < 2)
@@ -90,7 +139,7 @@ Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape) {
 }
 
 Heightmap loadHeightmap(const DisplacedSphere& shape) {
-    if (!shape.map_path.empty()) return makeHeightmap(readRawMap(shape.map_path), shape);
+    if (!shape.map_path.empty()) return makeHeightmap(geo::readMap(shape.map_path, shape.band), shape);
     DisplacedSphere smooth = shape;
     smooth.registration = Registration::Texel;  // a single value has no grid lines
     smooth.nodata.reset();
@@ -114,7 +163,10 @@ Relief makeRelief(const DisplacedSphere& shape, const Heightmap& map, const Sour
     if (!std::isfinite(relief.h_scale) || !std::isfinite(relief.h_offset))
         throwInvalid("{}: heightmin is {} and heightmax {}, expected two different values", where.text(), height_min,
                      height_max);
-    if (shape.height_scale) {
+    if (const std::optional<TrueScale> true_scale = trueScaleOf(shape, map)) {
+        relief.scale = true_scale->height_scale;
+        relief.base = shape.radius - relief.scale * true_scale->midlevel;
+    } else if (shape.height_scale) {
         relief.scale = *shape.height_scale;
         relief.base = shape.radius - relief.scale * shape.midlevel;
     } else {

@@ -22,6 +22,7 @@ struct Heightmap {
     float least = 0.0f, greatest = 0.0f;  ///< of all samples
     std::size_t nodata_count = 0;         ///< texels that held the shape's nodata value, before they were filled
     std::string path, type;
+    MapFacts facts;
     Notices notices;                 ///< the reader's, and those of what was made of the map
     std::optional<Ripples> ripples;  ///< the closed form that takes the samples' place, 0 to 1
 
@@ -36,6 +37,17 @@ Heightmap loadHeightmap(const DisplacedSphere& shape);
 
 /// The same from samples already in memory (tests, generated maps).
 Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape);
+
+/// How a map given in place of a scene is drawn when it knows its radius and its unit: heights in proportion to the
+/// radius, exaggerated by a round number so that they span some 5 % of it (maxdispl 5), and never less than they are.
+struct TrueScale {
+    double exaggeration = 1.0;
+    double height_scale = 0.0, midlevel = 0.0;  ///< as a scene would say them
+};
+
+/// Unset: the scene says how heights are drawn, or the map does not know its radius and unit.
+std::optional<TrueScale> trueScaleOf(const DisplacedSphere& shape, const Heightmap& map);
+Notice exaggerationNote(const TrueScale& scale, const Heightmap& map);
 
 /// The displaced sphere in the map's stored units: r = base + scale * stored, object units.
 struct Relief {

@@ -94,6 +94,7 @@ void dropLastColumn(RawMap& map) {
 
 void dropRepeatedColumn(RawMap& map, const DisplacedSphere& shape) {
     const bool said_gridline = shape.registration ? *shape.registration == Registration::Gridline : map.gridline;
+    if (map.facts.extent) return;  // the file's own place tells which columns are the same
     if (map.width < 3 || map.width % 2 == 0 || map.height < 3 || !repeatsFirstColumn(map)) return;
     // An island's map is sea at both edges: one value all along them proves nothing.
     if (!said_gridline && !firstColumnVaries(map)) return;
@@ -108,7 +109,7 @@ void dropRepeatedColumn(RawMap& map, const DisplacedSphere& shape) {
 /// Without the repeated column only the shape speaks for grid lines, which is not enough to take them for granted.
 void noteGridShape(RawMap& map, const DisplacedSphere& shape) {
     constexpr int kLeastWidth = 32;
-    if (shape.registration || map.gridline || map.width < kLeastWidth || map.width != 2 * (map.height - 1)) return;
+    if (map.facts.extent || shape.registration || map.gridline || map.width < kLeastWidth || map.width != 2 * (map.height - 1)) return;
     say(map, shape, Notice::Kind::Note,
         "{}x{} texels are the shape of a map on grid lines, with a row at each pole: if it is one, say \"string "
         "registration\" \"gridline\"",

@@ -16,7 +16,7 @@ bool sameValue(const std::optional<double>& a, const std::optional<double>& b) {
 
 bool sameMap(const DisplacedSphere& a, const DisplacedSphere& b) {
     return a.map_path == b.map_path && a.registration == b.registration && a.longitude_origin == b.longitude_origin &&
-           a.blur == b.blur && a.ripples == b.ripples && sameValue(a.nodata, b.nodata);
+           a.blur == b.blur && a.ripples == b.ripples && a.band == b.band && sameValue(a.nodata, b.nodata);
 }
 
 /// What `load` makes, its error prefixed by the place.
@@ -109,6 +109,8 @@ SceneMaps loadSceneMaps(const Scene& scene) {
             owners.push_back(sphere);
         }
         result.map_of_shape.push_back(int(index));
+        if (const auto scale = trueScaleOf(*sphere, *result.maps[index]))
+            result.maps[index]->notices.push_back(exaggerationNote(*scale, *result.maps[index]));
         result.reliefs.push_back(makeRelief(*sphere, *result.maps[index], shape.where));
     }
     loadImages(result, scene);

@@ -27,6 +27,10 @@ Scene explicitScene(const Document& document) {
         auto* sphere = std::get_if<DisplacedSphere>(&scene.shapes[i].geometry);
         if (!sphere || !sphere->own_range) continue;
         const Heightmap& map = *document.maps.maps[std::size_t(document.maps.map_of_shape[i])];
+        if (const std::optional<TrueScale> scale = trueScaleOf(*sphere, map)) {
+            sphere->height_scale = scale->height_scale;
+            sphere->midlevel = scale->midlevel;
+        }
         double least = map.least, top = map.greatest > map.least ? double(map.greatest) : least + 1.0;
         if (!sphere->height_min) sphere->height_min = least;
         if (!sphere->height_max) sphere->height_max = top;

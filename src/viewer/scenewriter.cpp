@@ -70,6 +70,7 @@ std::string displacedText(const DisplacedSphere& sphere, const std::filesystem::
     appendNumber(text, "lonorigin", sphere.longitude_origin);
     if (sphere.blur != 0.0) appendNumber(text, "blur", sphere.blur);
     appendNumber(text, "nodata", sphere.nodata);
+    if (sphere.band) text += fmt::format(" \"integer band\" {}", *sphere.band);
     if (sphere.filter == Filter::BSpline) text += " \"string filter\" \"bspline\"";
     if (sphere.smooth_normals) text += " \"bool smoothnormals\" true";
     return text + "\n";

@@ -70,16 +70,16 @@ TEST(Pnm, GeoidsSayWhatTheyMean) {
     const std::string header = "P5\n# Geoid file in PGM format\n# Offset -108\r\n# Scale 0.003\n# Origin 90N 180W\n";
     const RawMap map = readPnmOf(header + "# AREA_OR_POINT Point\n2 1\n65535\nAABB");
     EXPECT_EQ(map.samples, (std::vector<float>{0x4141, 0x4242})) << "as stored";
-    EXPECT_EQ(map.value_offset, -108.0);
-    EXPECT_EQ(map.value_scale, 0.003);
-    EXPECT_EQ(map.unit, "m");
+    EXPECT_EQ(map.facts.value_offset, -108.0);
+    EXPECT_EQ(map.facts.value_scale, 0.003);
+    EXPECT_EQ(map.facts.unit, "m");
     EXPECT_EQ(map.longitude_origin, -180.0);
     EXPECT_TRUE(map.gridline);
     EXPECT_TRUE(holds(map.notices.at(0).text,
                       "by its comments, heights in metres are -108 + 0.003 x the stored values, "
                       "the longitude origin is -180 and the registration gridline"));
     const RawMap area = readPnmOf("P2 # Scale 2\n1 #Offset 0\n1\n# AREA_OR_POINT Area\n9 5");
-    EXPECT_EQ(area.value_scale, 2.0);
+    EXPECT_EQ(area.facts.value_scale, 2.0);
     EXPECT_FALSE(area.gridline);
     EXPECT_FALSE(area.longitude_origin);
 }
@@ -88,7 +88,7 @@ TEST(Pnm, OtherCommentsSayNothing) {
     for (const char* comment : {"# Scale 2\n", "# Offset 2\n# Scale of the map\n", "# Offset nan\n# Scale 1\n",
                                 "# Offset 1\n# Scale 0\n", "# Origin 90S 0E\n"}) {
         const RawMap map = readPnmOf("P2\n" + std::string(comment) + "1 1 9 5");
-        EXPECT_FALSE(map.value_scale) << comment;
+        EXPECT_FALSE(map.facts.value_scale) << comment;
         EXPECT_TRUE(map.notices.empty());
     }
     for (const std::string origin : {"90S 0E", "0E 90N", "90N", "90N 0", "north"})

@@ -1,0 +1,154 @@
+#include "cli/describemap.h"
+
+#include "cli/terminal.h"
+#include "geo/readmap.h"
+#include "surface/bounds.h"
+#include "surface/preparemap.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace dsphere::cli {
+
+namespace {
+
+const char* nameOf(Registration registration) {
+    return registration == Registration::Texel ? "texel" : "gridline";
+}
+
+constexpr std::uint64_t kHeightBytes = 4, kSplineBytes = 16;  // a node
+
+// Of a node of the map's grid on the device, by what the shapes with that map read of it.
+std::uint64_t bytesPerNode(const SceneMaps& maps, int map) {
+    bool heights = false, spline = false;
+    for (std::size_t k = 0; k < maps.map_of_shape.size(); ++k) {
+        if (maps.map_of_shape[k] != map) continue;
+        const Relief& relief = maps.reliefs[k];
+        heights = heights || relief.filter == Filter::Bilinear;
+        spline = spline || relief.filter == Filter::BSpline || relief.smooth_normals;
+    }
+    return (heights ? kHeightBytes : 0) + (spline ? kSplineBytes : 0);
+}
+
+// What the marcher reads of a map: its nodes, the bounds of one relief (six faces of a cube and their pyramids), and
+// two rows of edge directions.
+void addDevice(Json& json, const NodeGrid& nodes, std::uint64_t node_bytes) {
+    std::uint64_t side = std::uint64_t(boundsSide(nodes.width()));
+    bool ripples = nodes.map().ripples.has_value();
+    std::uint64_t node_count = ripples ? 0 : std::uint64_t(nodes.width()) * std::uint64_t(nodes.rows() + 1);
+    std::uint64_t edges = (ripples ? 4 : 2) * std::uint64_t(std::max(nodes.width(), nodes.rows()));
+    json["bounds"] = {{"side", side}, {"levels", std::bit_width(side)}, {"bytes", 4 * 9 * side * side}};
+    json["device_bytes"] = node_bytes * node_count + 4 * 9 * side * side + 16 * edges;
+}
+
+// A texel by its place in the file and on the planet, degrees.
+Json placeOf(const RawMap& map, std::size_t index, double longitude_origin) {
+    std::size_t i = index % std::size_t(map.width), j = index / std::size_t(map.width);
+    double shift = map.gridline ? 0.0 : 0.5;
+    double steps = map.gridline ? std::max(map.height - 1, 1) : map.height;
+    double longitude = longitude_origin + (double(i) + shift) * 360.0 / map.width;
+    return {{"value", map.samples[index]},
+            {"column", i},
+            {"row", j},
+            {"latitude", 90.0 - (double(j) + shift) * 180.0 / steps},
+            {"longitude", longitude - 360.0 * std::floor((longitude + 180.0) / 360.0)}};
+}
+
+Json describeSamples(const RawMap& map, double longitude_origin) {
+    std::size_t least = map.samples.size(), greatest = least, finite = 0;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < map.samples.size(); ++k) {
+        float value = map.samples[k];
+        if (!std::isfinite(value)) continue;
+        ++finite;
+        sum += double(value);
+        if (least == map.samples.size() || value < map.samples[least]) least = k;
+        if (greatest == map.samples.size() || value > map.samples[greatest]) greatest = k;
+    }
+    Json json = {{"least", nullptr}, {"greatest", nullptr}, {"mean", nullptr}};
+    if (finite > 0)
+        json = {{"least", placeOf(map, least, longitude_origin)},
+                {"greatest", placeOf(map, greatest, longitude_origin)},
+                {"mean", sum / double(finite)}};
+    json["unknown_texels"] = map.samples.size() - finite;
+    return json;
+}
+
+template <typename T>
+Json orNull(const std::optional<T>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json orNull(const std::string& text) {
+    return text.empty() ? Json(nullptr) : Json(text);
+}
+
+// What the values mean and where the map lies; `least` and `greatest` are stored values of known texels.
+void addFacts(Json& json, const MapFacts& facts, double least, double greatest) {
+    json["unit"] = orNull(facts.unit);
+    json["scale"] = orNull(facts.value_scale);
+    json["offset"] = orNull(facts.value_offset);
+    json["radius"] = orNull(facts.radius);
+    json["height_range"] = nullptr;
+    if (!facts.unit.empty() && std::isfinite(least))
+        json["height_range"] = {facts.heightOf(least), facts.heightOf(greatest)};
+    json["extent"] = nullptr;
+    if (facts.extent)
+        json["extent"] = {{"west", facts.extent->west},
+                          {"east", facts.extent->east},
+                          {"south", facts.extent->south},
+                          {"north", facts.extent->north}};
+    json["projection"] = orNull(facts.projection);
+    json["sources"] = Json::object();
+    for (const auto& [property, source] : facts.sources) json["sources"][property] = source;
+}
+
+// The stored value of a texel that describeSamples has told; NaN: there is none.
+double valueOf(const Json& texel) {
+    return texel.is_null() ? std::nan("") : texel["value"].get<double>();
+}
+
+}  // namespace
+
+Json describeMapFile(const std::string& path) {
+    RawMap map = geo::readMap(path);
+    const auto not_finite = std::ranges::count_if(map.samples, [](float value) { return !std::isfinite(value); });
+    const auto non_finite_texels = map.unknown_are_nan ? 0 : not_finite;
+    DisplacedSphere shape;
+    shape.map_path = path;
+    prepareMap(map, shape);
+    printNotices(map.notices);
+    const double longitude_origin = map.longitude_origin.value_or(-180.0);
+    Json json = {{"map", path}, {"type", map.type}, {"width", map.width}, {"height", map.height}};
+    json.update(describeSamples(map, longitude_origin));
+    json["non_finite_texels"] = non_finite_texels;
+    json["full_scale"] = map.full_scale;
+    json["registration"] = nameOf(map.gridline ? Registration::Gridline : Registration::Texel);
+    json["longitude_origin"] = longitude_origin;
+    // Unknown texels' values do not matter to the nodes' number, which is what is asked here.
+    std::replace_if(
+        map.samples.begin(), map.samples.end(), [](float value) { return !std::isfinite(value); }, 0.0f);
+    const Heightmap heightmap = makeHeightmap(std::move(map), shape);
+    addFacts(json, heightmap.facts, valueOf(json["least"]), valueOf(json["greatest"]));
+    addDevice(json, NodeGrid(heightmap), kHeightBytes);
+    return json;
+}
+
+Json describeMap(const SceneMaps& maps, int index) {
+    const Heightmap& map = *maps.maps[std::size_t(index)];
+    Json json = {{"path", map.path.empty() ? Json(nullptr) : Json(map.path)},
+                 {"type", map.type},
+                 {"width", map.width},
+                 {"height", map.height},
+                 {"least", map.least},
+                 {"greatest", map.greatest},
+                 {"nodata_texels", map.nodata_count},
+                 {"registration", nameOf(map.registration)},
+                 {"longitude_origin", map.longitude_origin}};
+    addFacts(json, map.facts, map.least, map.greatest);
+    addDevice(json, NodeGrid(map), bytesPerNode(maps, index));
+    return json;
+}
+
+}  // namespace dsphere::cli

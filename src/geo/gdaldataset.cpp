@@ -1,0 +1,78 @@
+#include "geo/gdaldataset.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "base/error.h"
+#include "image/inputfile.h"
+
+namespace dsphere::geo {
+namespace {
+
+Dataset openWith(PlacedFile::Format format, const std::string& name) {
+    const char* older = format == PlacedFile::Format::Isis ? "ISIS2" : nullptr;
+    const char* drivers[] = {driverOf(format), older, nullptr};
+    return Dataset(gdal().GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers, nullptr, nullptr));
+}
+
+/// GDAL reads what a VRT names, by any of its formats' own names of files; those have no word for a network but these.
+void refuseNetwork(const PlacedFile& file) {
+    InputFile in(file.path);
+    constexpr std::uint64_t kMost = 64 << 20;
+    if (in.size() > kMost) in.invalid("VRT: has {} bytes, expected at most {}", in.size(), kMost);
+    std::string text(std::size_t(in.size()), '\0');
+    in.read(text.data(), text.size());
+    for (const char* word : {"://", "/vsi"})
+        if (const std::size_t at = text.find(word); at != std::string::npos)
+            in.invalid("VRT: line {} names a source with \"{}\"; expected files of this machine alone",
+                       1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n'), word);
+}
+
+/// The variable after the last ':' of "NETCDF:\"file.nc\":z".
+std::string variableOf(const std::string& name) {
+    return name.substr(name.rfind(':') + 1);
+}
+
+/// Of a file with several grids the one that holds heights.
+std::string chooseGrid(const OpenMap& map) {
+    const Gdal& g = gdal();
+    char** list = g.GDALGetMetadata(map.dataset.get(), "SUBDATASETS");
+    std::vector<std::string> names;
+    for (; list && *list; ++list) {
+        const std::string item = *list;
+        if (const std::size_t at = item.find("_NAME="); at != std::string::npos) names.push_back(item.substr(at + 6));
+    }
+    if (names.size() == 1) return names[0];
+    for (const char* heights : {"z", "elevation", "height", "topo", "topography", "dem", "dtm", "altitude", "Band1"})
+        for (const std::string& name : names)
+            if (variableOf(name) == heights) return name;
+    std::string all;
+    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + variableOf(name);
+    throwInvalid("{}: {}: {}; expected one grid, or one named z, elevation, height, topo or dem", map.name(),
+                 nameOf(map.file.format), names.empty() ? "holds no grid" : "holds the grids " + all);
+}
+
+}  // namespace
+
+const char* OpenMap::source() const {
+    using Format = PlacedFile::Format;
+    const Format f = file.format;
+    return f == Format::Tiff || f == Format::Jpeg2000 || f == Format::Vrt ? "tag" : "label";
+}
+
+OpenMap openMap(const PlacedFile& file) {
+    GdalMessages messages;
+    if (file.format == PlacedFile::Format::Vrt) refuseNetwork(file);
+    OpenMap map{file, openWith(file.format, file.path.string()), {}};
+    const auto refuse = [&] {
+        throwInvalid("{}: {}: cannot be read: {}", map.name(), nameOf(file.format), messages.reason());
+    };
+    if (!map.dataset) refuse();
+    if (map.bands() == 0) map.dataset = openWith(file.format, chooseGrid(map));
+    if (!map.dataset || map.bands() == 0) refuse();
+    if (file.format == PlacedFile::Format::Pds3) map.label.emplace(file.label);
+    return map;
+}
+
+}  // namespace dsphere::geo

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+
+#include "geo/gdal.h"
+#include "geo/label.h"
+#include "geo/mapfile.h"
+
+namespace dsphere::geo {
+
+/// A map opened with GDAL.
+struct OpenMap {
+    PlacedFile file;
+    Dataset dataset;
+    std::optional<Pds3Label> label;
+
+    std::string name() const { return file.path.string(); }
+    int width() const { return gdal().GDALGetRasterXSize(dataset.get()); }
+    int height() const { return gdal().GDALGetRasterYSize(dataset.get()); }
+    int bands() const { return gdal().GDALGetRasterCount(dataset.get()); }
+    /// "tag" or "label": the word for what such a file says of itself.
+    const char* source() const;
+};
+
+/// Opens it for reading with the driver of its format alone; of a netCDF file with several variables the one that is
+/// named like heights, or the only grid. Throws Error (InvalidInput) with GDAL's reason.
+OpenMap openMap(const PlacedFile& file);
+
+}  // namespace dsphere::geo
