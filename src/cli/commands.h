@@ -52,6 +52,7 @@ void addVerify(CLI::App& app, Action& action);
 void addDevices(CLI::App& app, Action& action);
 void addDiff(CLI::App& app, Action& action);
 void addInfo(CLI::App& app, Action& action);
+void addImport(CLI::App& app, Action& action);
 void addGenerate(CLI::App& app, Action& action);
 
 }  // namespace dsphere::cli

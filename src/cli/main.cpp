@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
     addBench(app, action);
     addDiff(app, action);
     addInfo(app, action);
+    addImport(app, action);
     addGenerate(app, action);
     addDevices(app, action);
     checkWords(app, argc, argv);

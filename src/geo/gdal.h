@@ -12,8 +12,10 @@
 #include <gdal_utils.h>
 #include <ogr_srs_api.h>
 
+#include <initializer_list>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace dsphere::geo {
 
@@ -71,6 +73,23 @@ class GdalMessages {
     static void CPL_STDCALL keep(CPLErr kind, CPLErrorNum number, const char* message);
 
     std::string first_;
+};
+
+/// GDAL's list of strings.
+class Strings {
+  public:
+    Strings(std::initializer_list<std::string> words) : words_(words) {
+        for (std::string& word : words_) pointers_.push_back(word.data());
+        pointers_.push_back(nullptr);
+    }
+    Strings(const Strings&) = delete;
+    Strings& operator=(const Strings&) = delete;
+
+    char** list() { return pointers_.data(); }
+
+  private:
+    std::vector<std::string> words_;
+    std::vector<char*> pointers_;
 };
 
 struct CloseDataset {

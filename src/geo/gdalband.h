@@ -2,6 +2,8 @@
 
 // What the values of a band are.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <optional>
 #include <string>

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "geo/netcdfcheck.h"
 #include "image/inputfile.h"
 
 namespace dsphere::geo {
@@ -64,12 +65,16 @@ const char* OpenMap::source() const {
 OpenMap openMap(const PlacedFile& file) {
     GdalMessages messages;
     if (file.format == PlacedFile::Format::Vrt) refuseNetwork(file);
-    OpenMap map{file, openWith(file.format, file.path.string()), {}};
+    if (file.format == PlacedFile::Format::NetCdf) checkClassicNetCdf(file.path);
+    OpenMap map{file, openWith(file.format, file.path.string()), {}, file.path.string()};
     const auto refuse = [&] {
         throwInvalid("{}: {}: cannot be read: {}", map.name(), nameOf(file.format), messages.reason());
     };
     if (!map.dataset) refuse();
-    if (map.bands() == 0) map.dataset = openWith(file.format, chooseGrid(map));
+    if (map.bands() == 0) {
+        map.opened = chooseGrid(map);
+        map.dataset = openWith(file.format, map.opened);
+    }
     if (!map.dataset || map.bands() == 0) refuse();
     if (file.format == PlacedFile::Format::Pds3) map.label.emplace(file.label);
     return map;

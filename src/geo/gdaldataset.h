@@ -13,6 +13,7 @@ struct OpenMap {
     PlacedFile file;
     Dataset dataset;
     std::optional<Pds3Label> label;
+    std::string opened;  ///< GDAL's name of what is open: the file's, or that of a grid in it
 
     std::string name() const { return file.path.string(); }
     int width() const { return gdal().GDALGetRasterXSize(dataset.get()); }

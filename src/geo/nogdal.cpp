@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "geo/import.h"
 #include "geo/readmap.h"
 
 namespace dsphere::geo {
@@ -7,6 +8,11 @@ RawMap readPlacedMap(const PlacedFile& file, std::optional<int>, const std::stri
     throwInvalid(
         "{}: {}, which is read with GDAL; this dsphere was built without it (install libgdal-dev and build it anew)",
         file.path.string(), reason);
+}
+
+ImportResult importMaps(const ImportOptions& options) {
+    throwInvalid("{}: import needs GDAL, which this dsphere was built without (install libgdal-dev and build it anew)",
+                 options.output.string());
 }
 
 }  // namespace dsphere::geo

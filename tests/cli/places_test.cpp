@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <csignal>
+
 namespace dsphere::test {
 namespace {
 
@@ -98,6 +100,30 @@ TEST_F(Places, PiecesAreRefusedAndImportIsNamed) {
     expectFailure(run({"render", "regional.tif", "-o", "out.png"}), 3, "`dsphere import`");
     expectFailure(run({"render", "web_mercator.tif", "-o", "out.png"}), 3, "`dsphere import`");
     EXPECT_FALSE(exists("out.png"));
+}
+
+TEST_F(Places, ImportMakesAMapThatRenders) {
+    copy("maps/regional.tif");
+    copy("maps/web_mercator.tif");
+    const Outcome made = run({"import", "globe.tif", "web_mercator.tif", "regional.tif", "--json"});
+    EXPECT_EQ(made.code, 0) << made.err;
+    EXPECT_EQ(nlohmann::json::parse(made.out)["width"], 576);
+    EXPECT_EQ(run({"render", "globe.tif", "-o", "out.png", "--device", "cpu", "--resolution", "64,36"}).code, 0);
+    EXPECT_EQ(info("globe.tif")["greatest"]["value"], 20472.0);
+    const Outcome again = run({"import", "regional.tif", "web_mercator.tif", "regional.tif"});
+    expectFailure(again, 2, "is one of the inputs");
+}
+
+TEST_F(Places, AnImportThatIsStoppedLeavesWhatThereWas) {
+    copy("maps/web_mercator.tif");
+    folder_.write("out.tif", "what there was");
+    for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
+        const Outcome outcome = run(Launch{.arguments = {"import", "out.tif", "web_mercator.tif", "--resolution",
+                                                         "16384,8192", "--progress", "always"},
+                                           .signal = signal});
+        EXPECT_EQ(outcome.code, signal == SIGKILL ? -SIGKILL : 128 + signal) << outcome.err;
+        EXPECT_EQ(readBytes(path("out.tif")), "what there was");
+    }
 }
 
 }  // namespace

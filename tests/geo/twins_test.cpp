@@ -153,6 +153,7 @@ TEST_F(Twins, EveryTruncationIsAnError) {
     folder_.write("T.LBL", pds3Label({.image = "T.IMG", .more = unit}));
     const std::map<std::string, std::string> files = {{"T.IMG", bytesOf(heights_, false)},
                                                       {"t.cub", isisCube(bytesOf(heights_, false))},
+                                                      {"t.nc", netCdf(bytesOf(fromTheSouth(heights_), true))},
                                                       {"t.fits", fits(bytesOf(heights_, true))},
                                                       {"t.asc", asciiGrid(heights_)}};
     for (const auto& [name, bytes] : files) {
