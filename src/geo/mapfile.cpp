@@ -152,9 +152,9 @@ std::optional<PlacedFile> placedFile(const fs::path& path) {
 bool looksLikeMap(const fs::path& path) try {
     constexpr std::array kExtensions{".lbl",  ".img", ".cub", ".nc",  ".grd", ".asc",
                                      ".fits", ".fit", ".hgt", ".vrt", ".jp2"};
+    if (dsphere::looksLikeMap(path)) return true;
     if (extensionOf(path) == ".pbrt") return false;
-    if (dsphere::looksLikeMap(path) || std::ranges::find(kExtensions, extensionOf(path)) != kExtensions.end())
-        return true;
+    if (std::ranges::find(kExtensions, extensionOf(path)) != kExtensions.end()) return true;
     return fs::is_regular_file(path) && fs::file_size(path) > 0 && placedFile(path).has_value();
 } catch (const std::exception&) {
     return false;
