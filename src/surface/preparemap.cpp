@@ -109,7 +109,9 @@ void dropRepeatedColumn(RawMap& map, const DisplacedSphere& shape) {
 /// Without the repeated column only the shape speaks for grid lines, which is not enough to take them for granted.
 void noteGridShape(RawMap& map, const DisplacedSphere& shape) {
     constexpr int kLeastWidth = 32;
-    if (map.facts.extent || shape.registration || map.gridline || map.width < kLeastWidth || map.width != 2 * (map.height - 1)) return;
+    if (map.facts.extent || shape.registration || map.gridline || map.width < kLeastWidth ||
+        map.width != 2 * (map.height - 1))
+        return;
     say(map, shape, Notice::Kind::Note,
         "{}x{} texels are the shape of a map on grid lines, with a row at each pole: if it is one, say \"string "
         "registration\" \"gridline\"",
