@@ -8,6 +8,7 @@
 #include "geo/placement.h"
 #include "geo/readmap.h"
 #include "image/codecs.h"
+#include "image/mapchannels.h"
 
 namespace dsphere::geo {
 namespace {
@@ -54,8 +55,13 @@ class RowReader {
     const Unknown& unknown() const { return bands_[0].unknown; }
     std::size_t rounded() const { return rounded_; }
     double greatestRounding() const { return greatest_rounding_; }
-    std::size_t coloured() const { return coloured_; }
-    void forgetCounts() { rounded_ = coloured_ = 0; }
+    bool ofColours() const { return bands_.size() == 3; }
+    const ColourCensus& colours() const { return census_; }
+    void forgetCounts() {
+        rounded_ = 0;
+        greatest_rounding_ = 0.0;
+        census_ = {};
+    }
 
     /// NaN where unknown.
     void read(int row, float* to) {
@@ -65,10 +71,8 @@ class RowReader {
             colours[c].resize(row_.size());
             readBand(bands_[c], row, colours[c].data());
         }
-        for (std::size_t i = 0; i < row_.size(); ++i) {
-            to[i] = meanOf(colours[0][i], colours[1][i], colours[2][i]);
-            coloured_ += !std::isnan(to[i]) && (colours[0][i] != colours[1][i] || colours[0][i] != colours[2][i]);
-        }
+        census_.startRow();
+        for (std::size_t i = 0; i < row_.size(); ++i) to[i] = census_.grey(colours[0][i], colours[1][i], colours[2][i]);
     }
 
   private:
@@ -104,8 +108,9 @@ class RowReader {
     std::vector<Band> bands_;
     std::vector<double> row_;
     std::vector<std::uint8_t> mask_;
-    std::size_t rounded_ = 0, coloured_ = 0;
+    std::size_t rounded_ = 0;
     double greatest_rounding_ = 0.0;
+    ColourCensus census_;
 };
 
 /// The whole sphere in the file's own rows, for a file that does not say where it lies.
@@ -191,11 +196,7 @@ void addNotices(const OpenMap& file, const RowReader& reader, RawMap& map) {
             {Notice::Kind::Note, fmt::format("{}: {} of its values need more than the 24 bits of a float and are "
                                              "rounded, by at most {:.3g}",
                                              file.name(), reader.rounded(), reader.greatestRounding())});
-    if (reader.coloured() > 0)
-        map.notices.push_back({Notice::Kind::Warning,
-                               fmt::format("{}: its red, green and blue differ at {} texels, so that these are colours "
-                                           "rather than heights; their mean is taken",
-                                           file.name(), reader.coloured())});
+    if (reader.ofColours()) reader.colours().report(map, file.name());
 }
 
 }  // namespace
