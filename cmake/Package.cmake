@@ -16,9 +16,9 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# The loader is opened at run time, which shlibdeps cannot see; a driver may come from elsewhere; the geoid is a sample, as is
+# The loader is opened at run time, which shlibdeps cannot see, as is GDAL; a driver may come from elsewhere; the geoid is a sample, as is
 # the Earth, which npm fetches.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS libvulkan1)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "mesa-vulkan-drivers, fonts-dejavu-core")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "mesa-vulkan-drivers, fonts-dejavu-core, libgdal32")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "proj-data, npm")
 include(CPack)

@@ -225,6 +225,10 @@ RawMap readPlacedMap(const PlacedFile& file, std::optional<int> band, const std:
     takeOffsetForRadius(map);
     if (!map.facts.offset_is_radius)
         map.notices.insert(map.notices.end(), reference.notices.begin(), reference.notices.end());
+    if (!reference.grid && file.format != PlacedFile::Format::Tiff)
+        map.notices.push_back({Notice::Kind::Warning,
+                               open.name() + ": does not say where it lies: taken for a whole sphere from 180 degrees "
+                                             "west, its first row in the north"});
     addNotices(open, reader, map);
     return map;
 } catch (const Error& error) {

@@ -130,7 +130,10 @@ TEST_F(Twins, AnAsciiGrid) {
 
 TEST_F(Twins, FitsWhoseFirstRowIsTheSouth) {
     folder_.write("dem.fits", fits(bytesOf(fromTheSouth(heights_), true)));
-    expectTwin(read("dem.fits"), "signed 16-bit FITS");
+    const RawMap map = read("dem.fits");
+    expectTwin(map, "signed 16-bit FITS");
+    ASSERT_EQ(map.notices.size(), 1u);
+    EXPECT_TRUE(holds(map.notices[0].text, "does not say where it lies"));
 }
 
 TEST_F(Twins, AVrtOfTheOthers) {
