@@ -136,6 +136,16 @@ TEST(PlainTiff, IsReadAsItEverWas) {
     EXPECT_EQ(geo::readMap(path).longitude_origin, 0.0) << "a world file beside it places it";
 }
 
+TEST(PlainMap, AWorldFileBesideItIsWarnedOf) {
+    const TempFolder folder;
+    const auto path = folder.write("map.pgm", "P5 2 1 255\nab");
+    EXPECT_TRUE(geo::readMap(path).notices.empty());
+    folder.write("map.pmw", "180\n0\n0\n-180\n90\n0\n");
+    const RawMap map = geo::readMap(path);
+    ASSERT_EQ(map.notices.size(), 1u);
+    EXPECT_TRUE(holds(map.notices[0].text, "map.pmw beside it says where it lies"));
+}
+
 TEST(PlainTiff, ManyBits) {
     const TempFolder folder;
     const std::vector<double> samples{0.1, 7.0, 0.5, 1.0};
