@@ -60,6 +60,7 @@ struct Directory {
     Format format;
     std::vector<std::uint8_t> bytes;
     std::vector<Entry> entries;
+    std::uint64_t next = 0;  ///< where the next directory is; 0: this is the last
 
     const Entry* find(std::uint64_t tag) const {
         const auto found = std::ranges::find(entries, tag, &Entry::tag);
@@ -67,24 +68,14 @@ struct Directory {
     }
 };
 
-Directory readDirectory(InputFile& file) {
-    file.rewind();
-    std::array<std::uint8_t, 4> magic;
-    file.read(magic.data(), magic.size());
+/// The directory at that byte; `which` is for messages: "first".
+Directory readDirectoryAt(InputFile& file, const Format& format, std::uint64_t offset, const char* which) {
     Directory directory;
-    Format& format = directory.format;
-    format.little = magic[0] == 'I';
-    format.big = format.load(&magic[2], 2) == 43;
-    if (format.big && (readNumber(file, format, 2) != 8 || readNumber(file, format, 2) != 0))
-        file.invalid("TIFF: the header of a BigTIFF is damaged, expected offsets of 8 bytes");
-    const std::uint64_t first = readNumber(file, format, format.wordBytes());
-    if (first >= file.size())
-        file.invalid("TIFF: truncated or damaged: the first directory is at byte {}, the file has {} bytes", first,
-                     file.size());
-    file.seek(first);
+    directory.format = format;
+    file.seek(offset);
     const std::uint64_t count = readNumber(file, format, format.big ? 8 : 2);
     if (count < 1 || count > kMaxEntries)
-        file.invalid("TIFF: the first directory has {} entries, expected 1 to {}", count, kMaxEntries);
+        file.invalid("TIFF: the {} directory has {} entries, expected 1 to {}", which, count, kMaxEntries);
     directory.bytes.resize(std::size_t(count) * format.entryBytes());
     file.read(directory.bytes.data(), directory.bytes.size());
     const std::size_t word = format.wordBytes();
@@ -94,10 +85,27 @@ Directory readDirectory(InputFile& file) {
                                      format.load(at + 4 + word, word), at + 4 + word});
         checkEntry(file, format, directory.entries.back());
     }
-    const std::uint64_t next = readNumber(file, format, word);
-    if (next >= file.size())
-        file.invalid("TIFF: truncated or damaged: the second directory is at byte {}, the file has {} bytes", next,
+    directory.next = readNumber(file, format, word);
+    return directory;
+}
+
+Directory readDirectory(InputFile& file) {
+    file.rewind();
+    std::array<std::uint8_t, 4> magic;
+    file.read(magic.data(), magic.size());
+    Format format;
+    format.little = magic[0] == 'I';
+    format.big = format.load(&magic[2], 2) == 43;
+    if (format.big && (readNumber(file, format, 2) != 8 || readNumber(file, format, 2) != 0))
+        file.invalid("TIFF: the header of a BigTIFF is damaged, expected offsets of 8 bytes");
+    const std::uint64_t first = readNumber(file, format, format.wordBytes());
+    if (first >= file.size())
+        file.invalid("TIFF: truncated or damaged: the first directory is at byte {}, the file has {} bytes", first,
                      file.size());
+    Directory directory = readDirectoryAt(file, format, first, "first");
+    if (directory.next >= file.size())
+        file.invalid("TIFF: truncated or damaged: the second directory is at byte {}, the file has {} bytes",
+                     directory.next, file.size());
     return directory;
 }
 
@@ -135,6 +143,21 @@ bool isSparse(InputFile& file, const Directory& directory) {
     return false;
 }
 
+/// Whether a further page is a mask of the first. Damaged pages after the first are nobody's concern.
+bool hasMask(InputFile& file, const Directory& first) try {
+    constexpr int kMostPages = 16;
+    constexpr std::uint64_t kSubfileType = 254, kMask = 4;
+    std::uint64_t next = first.next;
+    for (int page = 0; next != 0 && page < kMostPages; ++page) {
+        const Directory directory = readDirectoryAt(file, first.format, next, "next");
+        if (firstValue(file, directory, kSubfileType, 0) & kMask) return true;
+        next = directory.next;
+    }
+    return false;
+} catch (const Error&) {
+    return false;
+}
+
 bool isPlainSample(std::uint64_t bits, std::uint64_t format) {
     constexpr std::uint64_t kUnsigned = 1, kSigned = 2, kFloat = 3;
     return ((format == kUnsigned || format == kSigned) && (bits == 8 || bits == 16)) ||
@@ -166,6 +189,7 @@ std::string whatPlainTiffLacks(InputFile& file) {
     const std::uint64_t bits = firstValue(file, directory, 258, 1), format = firstValue(file, directory, 339, 1);
     if (!isPlainSample(bits, format)) return fmt::format("its samples have {} bits in format {}", bits, format);
     if (isSparse(file, directory)) return "some of its strips or tiles were never written";
+    if (hasMask(file, directory)) return "a page of it is a mask";
     return "";
 }
 

@@ -170,6 +170,14 @@ TEST(Bands, AreChosenByNumber) {
     EXPECT_TRUE(holds(messageOf(ExitCode::InvalidInput, [&] { geo::readMap(grey, 2); }), "band 2"));
 }
 
+TEST(PlainTiff, AMaskOnAnotherPage) {
+    const RawMap map = readCase("masked.tif");
+    EXPECT_EQ(map.samples[0], 0.0f);
+    EXPECT_EQ(map.samples[127], 127.0f);
+    EXPECT_EQ(unknownTexels(map), 3u);
+    EXPECT_TRUE(map.unknown_are_nan && std::isnan(map.samples[2 * 16 + 3]));
+}
+
 TEST(Bands, AlphaIsAMask) {
     const TempFolder folder;
     TiffForm form;
