@@ -1,6 +1,8 @@
 #include "geo/import.h"
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/outputs.h"
+#include "cli/print.h"
 
 #include <nlohmann/json.hpp>
 
@@ -8,7 +10,7 @@ namespace dsphere::cli {
 
 namespace {
 
-struct Options {
+struct ImportCommand {
     std::string outfile;
     std::vector<std::string> inputs;
     std::vector<int> resolution;
@@ -16,34 +18,33 @@ struct Options {
     ProgressMode progress = ProgressMode::Auto;
 };
 
-int runImport(const Options& options) {
-    geo::ImportOptions import;
-    import.inputs.assign(options.inputs.begin(), options.inputs.end());
-    import.output = options.outfile;
-    if (!options.resolution.empty()) import.resolution = {options.resolution[0], options.resolution[1]};
-    checkWritable(options.outfile);
+int runImport(const ImportCommand& command) {
+    geo::ImportOptions options;
+    options.inputs.assign(command.inputs.begin(), command.inputs.end());
+    options.output = command.outfile;
+    if (!command.resolution.empty()) options.resolution = {command.resolution[0], command.resolution[1]};
+    checkOutputs({{command.outfile, "OUT.tif"}}, {});
     geo::ImportResult result;
     {
-        ProgressLine line(options.progress, options.quiet, "import");
-        import.progress = [&](double share) { return line.update(share);
-    };
-    result = geo::importMaps(import);
+        ProgressLine line(command.progress, command.quiet, "import");
+        options.progress = [&line](double share) { return line.update(share); };
+        result = geo::importMaps(options);
+    }
+    if (!command.quiet) printNotices(result.notices);
+    if (!command.json) return int(ExitCode::Ok);
+    const nlohmann::ordered_json json = {
+        {"map", command.outfile}, {"width", result.width},    {"height", result.height},
+        {"type", result.type},    {"inputs", command.inputs}, {"bytes", std::filesystem::file_size(command.outfile)}};
+    printText(jsonText(json));
+    return int(ExitCode::Ok);
 }
-if (!options.quiet) printNotices(result.notices);
-if (!options.json) return int(ExitCode::Ok);
-nlohmann::ordered_json json = {{"map", options.outfile},   {"width", result.width},
-                               {"height", result.height},  {"type", result.type},
-                               {"inputs", options.inputs}, {"bytes", std::filesystem::file_size(options.outfile)}};
-fmt::print("{}\n", json.dump(2));
-return int(ExitCode::Ok);
-}  // namespace
 
-}  // namespace dsphere::cli
+}  // namespace
 
 void addImport(CLI::App& app, Action& action) {
     CLI::App* command =
         app.add_subcommand("import", "Make one map of a whole planet of tiles, pieces and other projections");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ImportCommand>();
     command->add_option("outfile", options->outfile, "Map to write: .tif or .tiff")->type_name("OUT.tif")->required();
     command->add_option("inputs", options->inputs, "Maps with a place on the planet; later ones lie over earlier ones")
         ->type_name("IN")

@@ -95,6 +95,10 @@ void applyTo(DisplacedSphere& sphere, const MapOptions& options) {
     take(sphere.height_max, options.height_max);
     take(sphere.filter, options.filter);
     take(sphere.blur, options.blur);
+    // Who says how high heights are drawn means that, and no exaggeration that suits the map.
+    if (options.max_displacement || options.height_scale || options.midlevel || options.height_min ||
+        options.height_max)
+        sphere.true_scale = false;
 }
 
 void applyTo(Scene& scene, const MapOptions& options) {

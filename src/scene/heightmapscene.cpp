@@ -26,6 +26,7 @@ Scene heightmapScene(const std::string& map_path) {
     auto& planet = std::get<DisplacedSphere>(scene.shapes[0].geometry);
     planet.map_path = map_path;
     planet.own_range = true;
+    planet.true_scale = true;
     planet.nodata = std::numeric_limits<double>::quiet_NaN();
     scene.shapes[0].where.line = 0;
     return scene;

@@ -102,6 +102,7 @@ struct DisplacedSphere {
     std::optional<double> height_scale;            ///< object units per stored unit; replaces max_displacement
     std::optional<double> height_min, height_max;  ///< stored values that mean h = 0 and h = 1
     bool own_range = false;                        ///< where those are unset: the map's least and greatest value
+    bool true_scale = false;                       ///< own_range: in proportion to the radius, if the map knows it
     std::optional<Registration> registration;      ///< unset: the map's own default
     std::optional<double> longitude_origin;  ///< degrees at the image's left edge; unset: the map's own, else -180
     double blur = 0.0;                       ///< sigma of a Gaussian in texels, 0 to 1000; 0: none

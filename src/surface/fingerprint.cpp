@@ -78,10 +78,10 @@ struct Walk {
     }
     void add(const Ripples& ripples) { all(ripples.u_frequency, ripples.v_frequency); }
     void add(const DisplacedSphere& sphere) {
-        const auto& [radius, displacement, path, midlevel, scale, least, greatest, own, registration, longitude, blur,
-                     nodata, band, filter, ripples, smooth] = sphere;
-        all(radius, displacement, midlevel, scale, least, greatest, own, registration, longitude, blur, nodata, band,
-            filter, ripples, smooth);
+        const auto& [radius, displacement, path, midlevel, scale, least, greatest, own, in_proportion, registration,
+                     longitude, blur, nodata, band, filter, ripples, smooth] = sphere;
+        all(radius, displacement, midlevel, scale, least, greatest, own, in_proportion, registration, longitude, blur,
+            nodata, band, filter, ripples, smooth);
     }
     void add(const Sphere& sphere) { add(sphere.radius); }
     void add(const Disk& disk) {

@@ -78,9 +78,7 @@ double roundDown(double x) {
 std::optional<TrueScale> trueScaleOf(const DisplacedSphere& shape, const Heightmap& map) {
     constexpr double kUsualPercent = 5.0;
     const MapFacts& facts = map.facts;
-    if (!shape.own_range || shape.height_min || shape.height_max || shape.height_scale || !facts.radius ||
-        facts.unit != "m" || !(map.greatest > map.least))
-        return {};
+    if (!shape.true_scale || !facts.radius || facts.unit != "m" || !(map.greatest > map.least)) return {};
     const double metres = facts.value_scale.value_or(1.0), zero = -facts.heightOf(0.0) / metres;
     const double range = std::abs(metres) * (double(map.greatest) - double(map.least));
     const double visible = kUsualPercent / 100.0 * *facts.radius / range;

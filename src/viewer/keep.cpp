@@ -34,7 +34,7 @@ Scene explicitScene(const Document& document) {
         double least = map.least, top = map.greatest > map.least ? double(map.greatest) : least + 1.0;
         if (!sphere->height_min) sphere->height_min = least;
         if (!sphere->height_max) sphere->height_max = top;
-        sphere->own_range = false;
+        sphere->own_range = sphere->true_scale = false;
     }
     return scene;
 }

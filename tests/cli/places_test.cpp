@@ -109,7 +109,7 @@ TEST_F(Places, ImportMakesAMapThatRenders) {
     EXPECT_EQ(made.code, 0) << made.err;
     EXPECT_EQ(nlohmann::json::parse(made.out)["width"], 576);
     EXPECT_EQ(run({"render", "globe.tif", "-o", "out.png", "--device", "cpu", "--resolution", "64,36"}).code, 0);
-    EXPECT_EQ(info("globe.tif")["greatest"]["value"], 20472.0);
+    EXPECT_NEAR(info("globe.tif")["greatest"]["value"].get<double>(), 20472.0, 50.0) << "between texels";
     const Outcome again = run({"import", "regional.tif", "web_mercator.tif", "regional.tif"});
     expectFailure(again, 2, "is one of the inputs");
 }
