@@ -57,7 +57,7 @@ void warnOfNodata(RawMap& map, const DisplacedSphere& shape) {
     if (!usual || next == HUGE_VALF || gap < 0.25f * range) return;
     say(map, shape, Notice::Kind::Warning,
         "{} of {} texels hold {:.8g}, far below all others, which are {:.8g} to {:.8g}: if that means unknown, say "
-        "\"float nodata\" {:.8g}",
+        "\"float nodata\" {:.8g} in the scene, or --nodata",
         std::ranges::count(map.samples, least), map.samples.size(), least, next, greatest, least);
 }
 
@@ -114,7 +114,7 @@ void noteGridShape(RawMap& map, const DisplacedSphere& shape) {
         return;
     say(map, shape, Notice::Kind::Note,
         "{}x{} texels are the shape of a map on grid lines, with a row at each pole: if it is one, say \"string "
-        "registration\" \"gridline\"",
+        "registration\" \"gridline\" in the scene, or --registration gridline",
         map.width, map.height);
 }
 

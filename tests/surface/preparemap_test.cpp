@@ -121,9 +121,10 @@ TEST(PrepareMap, WhatIsNoNumberNeedsNoWarningWhereNodataIsDeclared) {
 TEST(PrepareMap, ACommonNodataValueIsWarnedOf) {
     const Heightmap map = makeHeightmap(rawOf(4, 1, {20472, -32768, -7659, -32768}), shapeOf());
     EXPECT_EQ(map.least, -32768.0f) << "nobody said that it is unknown";
-    EXPECT_EQ(map.notices, (Notices{{Notice::Kind::Warning,
-                                     "map.tif: 2 of 4 texels hold -32768, far below all others, which are -7659 to "
-                                     "20472: if that means unknown, say \"float nodata\" -32768"}}));
+    EXPECT_EQ(map.notices,
+              (Notices{{Notice::Kind::Warning,
+                        "map.tif: 2 of 4 texels hold -32768, far below all others, which are -7659 to "
+                        "20472: if that means unknown, say \"float nodata\" -32768 in the scene, or --nodata"}}));
     EXPECT_TRUE(makeHeightmap(rawOf(4, 1, {5, -9999, -9998, 3}), shapeOf()).notices.empty()) << "a sea floor";
     DisplacedSphere said = shapeOf();
     said.nodata = -9999.0;
