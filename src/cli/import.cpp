@@ -23,7 +23,9 @@ int runImport(const ImportCommand& command) {
     options.inputs.assign(command.inputs.begin(), command.inputs.end());
     options.output = command.outfile;
     if (!command.resolution.empty()) options.resolution = {command.resolution[0], command.resolution[1]};
-    checkOutputs({{command.outfile, "OUT.tif"}}, {});
+    std::vector<NamedFile> inputs;
+    for (const std::string& input : command.inputs) inputs.push_back({input, "an input"});
+    checkOutputs({{command.outfile, "OUT.tif"}}, inputs);
     geo::ImportResult result;
     {
         ProgressLine line(command.progress, command.quiet, "import");

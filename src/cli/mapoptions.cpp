@@ -56,6 +56,10 @@ void addMapOptions(CLI::App& command, MapOptions& options) {
                                      "How heights run between the map's values", "bilinear|bspline")
         ->group(kGroup);
     addNumber(command, "--blur", options.blur, kBlur, "Sigma of a Gaussian over the map, in texels", "SIGMA");
+    command.add_option("--band", options.band, "Which band of a file with several, from 1")
+        ->check(CLI::Range(1, kMostBands).description(""))
+        ->type_name("N")
+        ->group(kGroup);
 }
 
 void requireNone(const MapOptions& options, const std::string& scene) {
@@ -75,6 +79,7 @@ void requireNone(const MapOptions& options, const std::string& scene) {
     refuse(options.height_max, "heightmax");
     refuse(options.filter, "filter");
     refuse(options.blur, "blur");
+    refuse(options.band, "band");
 }
 
 void applyTo(DisplacedSphere& sphere, const MapOptions& options) {
@@ -95,6 +100,7 @@ void applyTo(DisplacedSphere& sphere, const MapOptions& options) {
     take(sphere.height_max, options.height_max);
     take(sphere.filter, options.filter);
     take(sphere.blur, options.blur);
+    take(sphere.band, options.band);
     // Who says how high heights are drawn means that, and no exaggeration that suits the map.
     if (options.max_displacement || options.height_scale || options.midlevel || options.height_min ||
         options.height_max)

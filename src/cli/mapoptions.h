@@ -16,6 +16,7 @@ struct MapOptions {
         height_max;
     std::optional<Registration> registration;
     std::optional<Filter> filter;
+    std::optional<int> band;
 
     bool operator==(const MapOptions&) const = default;
 };

@@ -34,6 +34,7 @@ inline constexpr Range kFraction{0.0, 1.0};
 inline constexpr Range kLongitudeOrigin{-360.0, 360.0};
 inline constexpr Range kBlur{0.0, 1000.0};
 inline constexpr Range kStoredValue{-3.4028235e38, 3.4028235e38};
+inline constexpr int kMostBands = 65536;
 
 /// One parameter as written: its values are read when their type is asked for.
 struct Parameter {

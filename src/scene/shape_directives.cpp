@@ -11,7 +11,7 @@ std::optional<Registration> registrationOf(Parameters& p) {
     return *word == "texel" ? Registration::Texel : Registration::Gridline;
 }
 
-constexpr int kMostRipples = 512, kMostBands = 65536;
+constexpr int kMostRipples = 512;
 
 // What a closed form replaces or has no use for is an error beside it, and so are its frequencies without it.
 std::optional<Ripples> ripplesOf(Parameters& p) {

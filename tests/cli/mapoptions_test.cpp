@@ -104,6 +104,7 @@ TEST_F(MapOptionsTest, WrongOnesAreUsageErrors) {
         {{"--lonorigin", "nan"}, "--lonorigin: 'nan' is not a finite number"},
         {{"--radius", "0"}, "--radius: 0 is not greater than 0"},
         {{"--blur", "1001"}, "--blur: 1001 is not in [0, 1000]"},
+        {{"--band", "0"}, "--band"},
         {{"--registration", "pixel"}, "--registration: 'pixel' is not one of texel|gridline"},
         {{"--filter", "linear"}, "--filter: 'linear' is not one of bilinear|bspline"},
         {{"--maxdispl", "3", "--heightscale", "1"}, "--maxdispl and --heightscale exclude each other"},

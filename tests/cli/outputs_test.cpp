@@ -81,6 +81,8 @@ TEST_F(OutputsTest, EveryOutputOfEveryCommand) {
     fs::create_symlink("sky.exr", path("v-difference.exr"));
     expectRefused({"verify", "full.pbrt", "-o", "v"}, "v-difference.exr: the difference would replace", "sky.exr");
     expectRefused({"diff", "sky.exr", "sky.exr", "-o", "sky.exr"}, "sky.exr", "which is picture A");
+    fs::copy_file(path("earth.png"), path("piece.tif"));
+    expectRefused({"import", "piece.tif", "map.pgm", "./piece.tif"}, "piece.tif", "which is an input");
     expectRefused({"bench", "full.pbrt", "--csv", "earth.png"}, "earth.png: --csv would replace", "an image");
     expectRefused({"bench", "--baseline", "sky.exr", "--json-file", "sky.exr"}, "sky.exr", "the baseline");
     expectRefused({"bench", "--csv", "new.txt", "--html", "./new.txt"}, "./new.txt",
