@@ -26,7 +26,8 @@ vec3 lightFrom(const LightData light, const SurfacePoint point) {
 #ifdef WITH_CURVED
     cosine *= terminatorShare(dot(towards, point.normal) * inversesqrt(square), cosine, dot(point.normal, point.smooth_normal));
 #endif
-    return light.radiance.rgb * (isLight(light, LIGHT_POINT) ? cosine / square : cosine);
+    if (!(square > 0.0)) return vec3(0.0);  // a light on the surface itself
+    return finiteLight(light.radiance.rgb * (isLight(light, LIGHT_POINT) ? cosine / square : cosine));
 }
 
 // Lambert: albedo / pi times the irradiance of the visible lights.

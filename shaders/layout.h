@@ -54,7 +54,7 @@ using uint = std::uint32_t;
 #define SPEC_MAX_DEPTH 13      // reflections that are followed
 #define SPEC_DIFFUSE_PATHS 14  // 1: every material reflects (path); 0: mirrors alone do (directlighting)
 #define SPEC_CLAMP 15          // float; the most that a channel of a sample may hold, 0: no limit
-#define SPEC_GAUSSIAN 16       // 1: the pixel filter is the Gaussian of the tables; 0: a box
+#define SPEC_FILTER 16         // FILTER_ of the pixel filter
 #define SPEC_RADIUS_X 17       // float, of the pixel filter
 #define SPEC_RADIUS_Y 18
 #define SPEC_SHADOWS 19         // 0: light passes through everything
@@ -157,7 +157,10 @@ using uint = std::uint32_t;
 #define MAX_OBJECTS 64
 #define MAX_LIGHTS 32
 #define MAX_DEPTH 64
-#define FILTER_INTERVALS 256  // of the Gaussian's inverse distribution, x then y, where the tables begin
+#define FILTER_INTERVALS 256  // of a pixel filter's tables, where the tables begin: places x and y, weights x and y
+#define FILTER_BOX 0          // no tables: all places of a rectangle, evenly
+#define FILTER_POSITIVE 1     // places by the tables, each sample counts once
+#define FILTER_SIGNED 2       // and as the weights say
 #define LOSS_INTERVALS 128    // of a conductor's loss over the root of the cosine; one value more at either end
 #define MAX_TRIANGLES 512     // of all meshes together
 #define MAX_LEVELS 8          // of detail; level 0 is the map

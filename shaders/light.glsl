@@ -69,7 +69,7 @@ LightSample sampleDisk(const LightData light, const vec3 from_first, const vec2 
     result.ends = true;
     result.place = light.position.xyz + radius * (cos(angle) * light.x_axis.xyz + sin(angle) * light.y_axis.xyz);
     result.density = diskDensity(light, result.place - from_first);
-    result.radiance = result.density > 0.0 ? light.radiance.rgb / result.density : vec3(0.0);
+    result.radiance = result.density > 0.0 ? finiteLight(light.radiance.rgb / result.density) : vec3(0.0);
     return result;
 }
 
@@ -152,7 +152,7 @@ LightSample sampleDelta(const LightData light, const vec3 from_first) {
     result.place = light.position.xyz;
     result.ends = isLight(light, LIGHT_POINT);
     vec3 towards = light.position.xyz - from_first;
-    result.radiance = light.radiance.rgb / (result.ends ? dot(towards, towards) : 1.0);
+    result.radiance = finiteLight(light.radiance.rgb / (result.ends ? dot(towards, towards) : 1.0));
     result.density = 0.0;
     return result;
 }

@@ -21,12 +21,19 @@ vec2 numbersAt(const Numbers numbers, const int vertex, const uint pair) {
 
 // The place in the filter, about the pixel's centre.
 vec2 filterPlace(const vec2 u) {
-    if (kGaussian == 0) return vec2(kRadiusX, kRadiusY) * (2.0 * u - 1.0);
+    if (kFilter == FILTER_BOX) return vec2(kRadiusX, kRadiusY) * (2.0 * u - 1.0);
     vec2 place = u * float(FILTER_INTERVALS);
     ivec2 i = ivec2(place);
     vec2 t = place - vec2(i);
     int second = FILTER_INTERVALS + 1;
     return vec2(mix(tables[i.x], tables[i.x + 1], t.x), mix(tables[second + i.y], tables[second + i.y + 1], t.y));
+}
+
+// How much the sample at filterPlace(u) counts.
+float filterWeight(const vec2 u) {
+    if (kFilter != FILTER_SIGNED) return 1.0;
+    ivec2 i = ivec2(u * float(FILTER_INTERVALS)) + 2 * (FILTER_INTERVALS + 1);
+    return tables[i.x] * tables[FILTER_INTERVALS + i.y];
 }
 
 // A vertex of the path: the hit and its material, made ready.
@@ -44,7 +51,9 @@ Vertex makeVertex(const SurfacePoint point, const vec3 colour, const bool soften
     vertex.point = point;
     vertex.material = materials[point.object + (kRegularize != 0 && softened ? MAX_OBJECTS : 0)];
     vertex.colour = colour;
-    vec3 view = point.inside ? point.normal : normalize(-point.towards);
+    // A camera on the surface itself is 0 away, and sees it from above.
+    bool apart = !point.inside && dot(point.towards, point.towards) > 0.0;
+    vec3 view = apart ? normalize(-point.towards) : point.normal;
     vec3 normal = shadingNormal(point);
     vertex.basis = basisAbout(normal);
     vertex.view = intoBasis(vertex.basis, view);
@@ -68,8 +77,10 @@ bool isVisible(const SurfacePoint point, const LightData light, const LightSampl
     return !isShaded(point, light_sample.place, light_sample.ends, light.object, searches);
 }
 
+// `own` > 0. Neither is squared: densities of grazing directions are large.
 float powerWeight(const float own, const float other) {
-    return own * own / (own * own + other * other);
+    float ratio = other / own;
+    return 1.0 / (1.0 + ratio * ratio);
 }
 
 // How a sample of the picture is gathered.
@@ -234,5 +245,6 @@ Gathered resultOf(const Path path, const Rules rules) {
     Gathered result = path.result;
     float greatest = max(result.colour.x, max(result.colour.y, result.colour.z));
     if (kClamp > 0.0 && !rules.centre && greatest > kClamp) result.colour *= kClamp / greatest;
+    if (!rules.centre) result.colour *= filterWeight(numbersAt(path.numbers, 0, 0u));
     return result;
 }

@@ -34,7 +34,7 @@ layout(constant_id = SPEC_DIFFUSE_PATHS) const int kDiffusePaths = 0;
 layout(constant_id = SPEC_CLAMP) const float kClamp = 0.0;
 layout(constant_id = SPEC_REGULARIZE) const int kRegularize = 0;
 layout(constant_id = SPEC_HIDE_DISTANCE) const int kHideDistance = 0;
-layout(constant_id = SPEC_GAUSSIAN) const int kGaussian = 0;
+layout(constant_id = SPEC_FILTER) const int kFilter = FILTER_BOX;
 layout(constant_id = SPEC_RADIUS_X) const float kRadiusX = 0.5;
 layout(constant_id = SPEC_RADIUS_Y) const float kRadiusY = 0.5;
 #endif

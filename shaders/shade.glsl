@@ -43,6 +43,11 @@ Gathered nothingGathered() {
     return result;
 }
 
+// Light from right beside its source, which grows without bound: sums of it stay finite.
+vec3 finiteLight(const vec3 light) {
+    return min(light, vec3(1e30));
+}
+
 // Where light comes from a smoother surface than the true one, this is its normal.
 vec3 shadingNormal(const SurfacePoint point) {
 #ifdef WITH_CURVED

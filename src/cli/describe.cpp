@@ -13,7 +13,9 @@ struct DescribeTexture {
 
     Json operator()(const ConstantColour& constant) const { return vectorJson(constant.rgb); }
     Json operator()(const HeightRamp& ramp) const { return {{"ramp", ramp.ramp}, {"scale", vectorJson(ramp.scale)}}; }
-    Json operator()(const ImageMap& map) const { return {{"image", image}, {"scale", vectorJson(map.scale)}}; }
+    Json operator()(const ImageMap& map) const {
+        return {{"image", image}, {"scale", vectorJson(map.scale)}, {"longitude_origin", map.longitude_origin}};
+    }
     Json operator()(const Checkerboard& board) const {
         return {{"even", vectorJson(board.even)},
                 {"odd", vectorJson(board.odd)},
@@ -91,9 +93,11 @@ Json describeIntegrator(const Integrator& integrator) {
 }
 
 Json describePixelFilter(const PixelFilter& filter) {
-    const bool gaussian = filter.kind == PixelFilter::Kind::Gaussian;
-    Json json = {{"type", gaussian ? "gaussian" : "box"}, {"radius", {filter.radius.x, filter.radius.y}}};
-    if (gaussian) json["falloff"] = filter.falloff;
+    using Kind = PixelFilter::Kind;
+    Json json = {{"type", nameOf(filter.kind)}, {"radius", {filter.radius.x, filter.radius.y}}};
+    if (filter.kind == Kind::Gaussian) json["falloff"] = filter.falloff;
+    if (filter.kind == Kind::Mitchell) json["B"] = filter.b, json["C"] = filter.c;
+    if (filter.kind == Kind::Sinc) json["tau"] = filter.tau;
     return json;
 }
 

@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 #include "cli/header.h"
 #include "cli/outputs.h"
+#include "cli/placecamera.h"
 #include "cli/print.h"
 #include "cli/resume.h"
 #include "cli/sceneoptions.h"
@@ -121,6 +122,7 @@ struct Result {
     const Renderer& renderer;
     const SceneMaps& maps;
     double seconds;
+    std::size_t non_finite_pixels;
 
     double raysPerSecond() const {
         const RenderStats& stats = renderer.stats();
@@ -138,6 +140,7 @@ void printJson(const Result& result) {
                                    {"camera_rays", stats.camera_rays},
                                    {"camera_rays_per_second", result.raysPerSecond()},
                                    {"retried_pixels", stats.retried_pixels},
+                                   {"non_finite_pixels", result.non_finite_pixels},
                                    {"map_bytes", result.renderer.mapBytes()},
                                    {"image_bytes", result.renderer.imageBytes()},
                                    {"maps", nlohmann::ordered_json::array()}};
@@ -238,7 +241,8 @@ int runRender(const RenderOptions& options) {
     }
     gpu::Device& device = *opened;
     SceneMaps maps = reading.get();
-    if (!options.common.quiet) printNotices(maps.notices());
+    placeCamera(scene, maps, options.scene);
+    if (!options.common.quiet) printNotices(maps.notices()), printCameraNotices(scene, maps);
     PackedScene packed = packScene(scene, maps, options.detail > 0.0f ? Levels::All : Levels::Finest);
     if (compiling.valid()) compiling.get();
     Renderer renderer(device, packed, scene, method);
@@ -251,11 +255,14 @@ int runRender(const RenderOptions& options) {
     Rendered rendered = renderAll(renderer, scene, options, target, std::move(earlier.sums));
     checkValidation(device);
     const int done = rendered.colour.samples;
+    const std::size_t non_finite = nonFinitePixels(rendered.colour);
     std::optional<double> seconds = earlier.device_seconds + renderer.stats().device_seconds;
     if (options.reproducible) seconds.reset();
     writeTarget(target, std::move(rendered).picture(), makeMetadata(scene, origin, done, seconds), options);
     if (done < samples) throwPartial(options, target, done, samples);
-    const Result result{target, device.info(), renderer, maps, secondsSince(start)};
+    const Result result{target, device.info(), renderer, maps, secondsSince(start), non_finite};
+    if (non_finite > 0 && !options.common.quiet)
+        printNotices({{Notice::Kind::Warning, fmt::format("{} pixels hold light that is not finite", non_finite)}});
     if (options.common.json) printJson(result);
     if (!options.common.quiet) printReport(result, options.common.verbose);
     return int(ExitCode::Ok);

@@ -44,26 +44,6 @@ void exaggerate(Scene& scene, double factor) {
     }
 }
 
-// Above a place of the first displaced sphere, looking straight down, north up, east to the right.
-void lookFromAbove(Scene& scene, const std::vector<double>& latlon) {
-    auto planet = std::find_if(scene.shapes.begin(), scene.shapes.end(), [](const Shape& shape) {
-        return std::holds_alternative<DisplacedSphere>(shape.geometry);
-    });
-    if (planet == scene.shapes.end()) throwUsage("--lookat-latlon: the scene has no displacedsphere");
-    if (!(std::abs(latlon[0]) <= 90.0 && std::isfinite(latlon[1]) && latlon[2] > 0.0))
-        throwUsage("--lookat-latlon: expected a latitude in [-90, 90], a longitude and an altitude > 0");
-    double lat = glm::radians(latlon[0]), lon = glm::radians(latlon[1]);
-    dvec3 outward(std::cos(lat) * std::sin(lon), std::sin(lat), std::cos(lat) * std::cos(lon));
-    dvec3 north(-std::sin(lat) * std::sin(lon), std::cos(lat), -std::sin(lat) * std::cos(lon));
-    const auto& sphere = std::get<DisplacedSphere>(planet->geometry);
-    dvec3 eye = transformPoint(planet->world_from_object, outward * (sphere.radius * (1.0 + latlon[2])));
-    dvec3 centre = transformPoint(planet->world_from_object, dvec3(0.0));
-    dvec3 ahead = glm::normalize(centre - eye), up = transformVector(planet->world_from_object, north);
-    dvec3 east = glm::normalize(glm::cross(ahead, up));
-    dmat4 world_from_camera(dvec4(east, 0.0), dvec4(glm::cross(east, ahead), 0.0), dvec4(ahead, 0.0), dvec4(eye, 1.0));
-    scene.camera.camera_from_world = glm::inverse(world_from_camera);
-}
-
 }  // namespace
 
 void addSceneOptions(CLI::App& command, SceneOptions& options) {
@@ -90,11 +70,21 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
     command.add_option("--exaggeration", options.exaggeration, "Multiply all displacements")->type_name("X");
     command
         .add_option("--lookat-latlon", options.latlon,
-                    "Look straight down on the first displaced sphere from a latitude and longitude in degrees and an "
-                    "altitude in radii; north is up, east to the right")
+                    "Look at the first displaced sphere from above a latitude and longitude in degrees: ALT is the "
+                    "height above the ground there, in radii of the shape (its \"float radius\"). Straight down, north "
+                    "up and east to the right, unless --heading and --pitch say otherwise")
         ->expected(3)
         ->delimiter(',')
         ->type_name("LAT,LON,ALT");
+    command
+        .add_option("--heading", options.heading,
+                    "With --lookat-latlon: what is ahead, or up in a picture that looks straight down, in degrees: 0 "
+                    "north (the default), 90 east")
+        ->type_name("DEG");
+    command
+        .add_option("--pitch", options.pitch,
+                    "With --lookat-latlon: degrees above the horizontal, 0 level, -90 straight down (the default)")
+        ->type_name("DEG");
     addMapOptions(command, options.map);
     command.add_flag("--quick", options.quick, "A quarter of the resolution and one sample a pixel");
 }
@@ -110,7 +100,6 @@ Scene loadScene(const SceneOptions& options) {
     if (is_map) applyTo(scene, options.map);
     applyFilm(scene.film, options);
     if (options.exaggeration != 1.0) exaggerate(scene, options.exaggeration);
-    if (!options.latlon.empty()) lookFromAbove(scene, options.latlon);
     if (options.quick) scene.sampler.pixel_samples = 1;
     if (options.samples) scene.sampler.pixel_samples = *options.samples;
     if (options.seed) scene.sampler.seed = *options.seed;

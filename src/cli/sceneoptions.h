@@ -17,7 +17,8 @@ struct SceneOptions {
     std::vector<int> resolution;
     std::vector<double> crop;
     std::optional<int> samples, seed;
-    std::vector<double> latlon;  ///< --lookat-latlon: degrees, degrees, radii above the greatest radius
+    std::vector<double> latlon;            ///< --lookat-latlon: degrees, degrees, radii above the ground
+    std::optional<double> heading, pitch;  ///< degrees; with latlon
     double exaggeration = 1.0;
     bool quick = false;
     MapOptions map;

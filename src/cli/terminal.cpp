@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <sstream>
 
 namespace dsphere::cli {
 
@@ -87,7 +88,8 @@ void printMessage(const char* kind, const char* colour, const std::string& messa
 }  // namespace
 
 void printError(const std::string& message) {
-    printMessage("error", "1;31", message);
+    std::istringstream lines(message);
+    for (std::string line; std::getline(lines, line);) printMessage("error", "1;31", line);
 }
 
 void printNotices(const Notices& notices) {

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/outputs.h"
+#include "cli/placecamera.h"
 #include "cli/print.h"
 #include "cli/sceneoptions.h"
 #include "image/picture.h"
@@ -66,7 +67,11 @@ int runVerify(const VerifyOptions& options) {
                   {evidencePath(options, "difference"), "the difference"}},
                  inputsOf(scene));
     SceneMaps maps = loadSceneMaps(scene);
-    if (!options.common.quiet) printNotices(scene.notices), printNotices(maps.notices());
+    placeCamera(scene, maps, options.scene);
+    if (!options.common.quiet) {
+        printNotices(scene.notices), printNotices(maps.notices());
+        printCameraNotices(scene, maps);
+    }
     gpu::Device device = openDevice(options.common);
     verify::Outcome outcome;
     {

@@ -1,5 +1,6 @@
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/placecamera.h"
 #include "cli/sceneoptions.h"
 #include "cli/signals.h"
 #include "viewer/viewer.h"
@@ -26,7 +27,9 @@ int runView(const ViewOptions& options) {
         SceneOptions named = scene;
         if (path != scene.scene && !isHeightmap(path)) named.map = {};  // they were said of the first map
         named.scene = path;
-        return loadScene(named);
+        Scene opened = loadScene(named);
+        if (!named.latlon.empty()) placeCamera(opened, loadSceneMaps(opened), named);
+        return opened;
     };
     viewer.interrupted = [] { return caughtSignal() != 0; };
     viewer::runViewer(viewer);

@@ -56,8 +56,8 @@ dvec2 surfaceUv(const Shape& shape, const dvec3& p) {
 dvec3 imageColour(const Shape& shape, const ImageMap& texture, const ColourMap& image, const dvec3& p) {
     const dvec2 uv = surfaceUv(shape, p);
     dvec3 colour(0.0);
-    if (const auto* planet = std::get_if<DisplacedSphere>(&shape.geometry))
-        colour = onPlanet(image, uv.x - (planet->longitude_origin.value_or(-180.0) + 180.0) / 360.0, uv.y);
+    if (std::holds_alternative<DisplacedSphere>(shape.geometry))
+        colour = onPlanet(image, uv.x - (texture.longitude_origin + 180.0) / 360.0, uv.y);
     else
         colour = repeated(image, uv.x, 1.0 - uv.y);  // pbrt's images stand on their last row
     return glm::clamp(texture.scale * colour, 0.0, 1.0);

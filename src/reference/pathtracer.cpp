@@ -34,21 +34,9 @@ struct PathTracer::Step {
 };
 
 PathTracer::PathTracer(const Scene& scene, const SceneMaps& maps)
-    : scene_(&scene), tracer_(scene, maps.perShape(), maps.reliefs, maps.imagePerShape(), maps.lightImage()) {}
-
-// The Gaussian by rejection: its kernel is 1 - exp(-falloff radius^2) at most.
-dvec2 PathTracer::placeInFilter(Random& random) const {
-    const PixelFilter& filter = scene_->pixel_filter;
-    dvec2 place;
-    for (int axis = 0; axis < 2; ++axis) {
-        const double radius = filter.radius[axis], end = std::exp(-filter.falloff * radius * radius);
-        do {
-            place[axis] = radius * (2.0 * uniform(random) - 1.0);
-        } while (filter.kind == PixelFilter::Kind::Gaussian &&
-                 uniform(random) * (1.0 - end) > std::exp(-filter.falloff * place[axis] * place[axis]) - end);
-    }
-    return place;
-}
+    : scene_(&scene),
+      filter_(scene.pixel_filter),
+      tracer_(scene, maps.perShape(), maps.reliefs, maps.imagePerShape(), maps.lightImage()) {}
 
 // Emission or environment at the end of a ray, less what light samples brought of it.
 dvec3 PathTracer::emitted(const WorldHit& hit, const Step& step) const {
@@ -123,9 +111,10 @@ Estimate PathTracer::mean(const Box& region, int samples, std::uint64_t seed) co
         Random random(words);
         for (int x = region.x0; x < region.x1; ++x)
             for (int k = 0; k < samples; ++k) {
-                const dvec2 place = dvec2(x + 0.5, y + 0.5) + placeInFilter(random);
+                const FilterSample in_filter = filter_.sample(random);
+                const dvec2 place = dvec2(x + 0.5, y + 0.5) + in_filter.place;
                 const CameraRay ray = cameraRay(scene_->camera, scene_->film, place.x, place.y);
-                const dvec3 value = sample(ray.origin, ray.direction, random);
+                const dvec3 value = in_filter.weight * sample(ray.origin, ray.direction, random);
                 rows[row][0] += value;
                 rows[row][1] += value * value;
             }

@@ -4,6 +4,7 @@
 // numbers.
 
 #include "base/image.h"
+#include "reference/pixelfilter.h"
 #include "reference/tracer.h"
 #include "surface/scenemaps.h"
 
@@ -36,12 +37,12 @@ class PathTracer {
   private:
     struct Step;
 
-    dvec2 placeInFilter(Random& random) const;
     dvec3 emitted(const WorldHit& hit, const Step& step) const;
     dvec3 sampledLights(const ShadingPoint& point, const dvec3& start, Random& random) const;
     bool isPath() const { return scene_->integrator.kind == Integrator::Kind::Path; }
 
     const Scene* scene_;
+    FilterSampler filter_;
     Tracer tracer_;
 };
 

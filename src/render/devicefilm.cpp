@@ -1,14 +1,28 @@
 #include "render/devicefilm.h"
 
+#include "base/error.h"
+#include "gpu/device.h"
 #include "render/planes.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace dsphere {
 
+namespace {
+
+void requireSize(const gpu::Device& device, int width, int height) {
+    const std::uint32_t limit = device.limits().max_image_dimension_2d;
+    if (std::uint32_t(std::max(width, height)) > limit)
+        throwFailure("the picture is {}x{} pixels, but images of {} end at {}x{}; render it in parts with --cropwindow",
+                     width, height, device.info().name, limit, limit);
+}
+
+}  // namespace
+
 DeviceFilm::DeviceFilm(gpu::Device& device, int width, int height, std::uint32_t mask)
-    : image_(device, gpu::Format::R32Uint, std::uint32_t(width), std::uint32_t(height),
-             std::uint32_t(std::popcount(mask)), "film"),
+    : image_((requireSize(device, width, height), device), gpu::Format::R32Uint, std::uint32_t(width),
+             std::uint32_t(height), std::uint32_t(std::popcount(mask)), "film"),
       mask_(mask) {
     image_.clear();
 }

@@ -74,7 +74,7 @@ gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& t
     specialization[SPEC_CLAMP] = std::bit_cast<std::uint32_t>(paths.clamp);
     specialization[SPEC_REGULARIZE] = paths.regularize ? 1 : 0;
     specialization[SPEC_HIDE_DISTANCE] = paths.hide_distance ? 1 : 0;
-    specialization[SPEC_GAUSSIAN] = paths.gaussian ? 1 : 0;
+    specialization[SPEC_FILTER] = std::uint32_t(paths.filter);
     specialization[SPEC_RADIUS_X] = std::bit_cast<std::uint32_t>(paths.radius_x);
     specialization[SPEC_RADIUS_Y] = std::bit_cast<std::uint32_t>(paths.radius_y);
     std::uint32_t push_bytes = shader == Shader::Render ? sizeof(layout::RenderParams) : 0;

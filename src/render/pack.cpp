@@ -1,6 +1,7 @@
 #include "render/pack.h"
 
 #include "base/error.h"
+#include "base/limits.h"
 #include "render/narrow.h"
 #include "render/packlevels.h"
 #include "render/packlight.h"
@@ -134,11 +135,6 @@ double holdingRadius(const ObjectData& object, const Shape& shape, double unit) 
     return 1.00001 * unit * std::sqrt(greatest * double(object.shell_squared));
 }
 
-double longitudeOriginOf(const Shape& shape) {
-    const auto* sphere = std::get_if<DisplacedSphere>(&shape.geometry);
-    return sphere ? sphere->longitude_origin.value_or(-180.0) : -180.0;
-}
-
 double innerShareOf(const Shape& shape) {
     const auto* disk = std::get_if<Disk>(&shape.geometry);
     return disk ? disk->inner_radius / disk->radius : 0.0;
@@ -152,7 +148,8 @@ void packImages(PackedScene& packed, const Scene& scene, const SceneMaps& maps) 
         packed.image_of_object.push_back(image ? maps.image_of_shape[i] : -1);
         packed.centres.emplace_back();
         if (!image) continue;
-        packed.centres.back() = packImage(packed.objects[i], *image, longitudeOriginOf(shape), innerShareOf(shape));
+        const double longitude_origin = textureAs<ImageMap>(shape.material)->longitude_origin;
+        packed.centres.back() = packImage(packed.objects[i], *image, longitude_origin, innerShareOf(shape));
     }
     packed.light_image = maps.light_image;
 }
@@ -221,6 +218,10 @@ double packGeometry(ObjectData& object, PackedScene& packed, const Shape& shape,
     return std::get<Sphere>(shape.geometry).radius;
 }
 
+static_assert(MAX_OBJECTS == limits::kShapes && MAX_LIGHTS == limits::kLights && MAX_MARCHES == limits::kMarches &&
+              MAX_TRIANGLES == limits::kTriangles && MAX_DEPTH == limits::kMaxDepth);
+
+// The parser has checked a text's; scenes are made in code too.
 void requireLimits(const Scene& scene) {
     if (scene.shapes.size() > std::size_t(MAX_OBJECTS))
         throwInvalid("{}: {} shapes; at most {} are supported", scene.name, scene.shapes.size(), MAX_OBJECTS);

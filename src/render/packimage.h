@@ -14,7 +14,8 @@ struct PackedCentres {
 };
 
 /// Fills the object's image fields but for its place in the images. `object.kind` and `inner_squared` must be set;
-/// `longitude_origin` in degrees (displaced spheres), `inner` the disk's inner radius as a share of its radius.
+/// `longitude_origin` is the image's in degrees (displaced spheres), `inner` the disk's inner radius as a share of its
+/// radius.
 PackedCentres packImage(layout::ObjectData& object, const ColourMap& image, double longitude_origin, double inner);
 
 /// An image's words as they lie on the device: rows of width() words, height() of them, or three times as many for

@@ -1,5 +1,7 @@
 #include "render/pathtables.h"
 
+#include "render/filtertable.h"
+
 #include "base/math.h"
 #include "base/parallel.h"
 #include "shaders/layout.h"
@@ -85,24 +87,6 @@ double meanLuminance(const ColourMap& image) {
 
 }  // namespace
 
-std::vector<float> filterPlaces(double radius, double falloff) {
-    constexpr int kSteps = 1 << 14;
-    std::vector<double> cumulative(kSteps + 1);
-    auto kernel = [&](double x) { return std::exp(-falloff * x * x) - std::exp(-falloff * radius * radius); };
-    auto place = [&](double step) { return radius * (2.0 * step / kSteps - 1.0); };
-    for (int i = 0; i < kSteps; ++i)
-        cumulative[std::size_t(i) + 1] = cumulative[std::size_t(i)] + kernel(place(i + 0.5));
-    std::vector<float> places = {float(-radius)};
-    for (int k = 1; k < FILTER_INTERVALS; ++k) {
-        const double wanted = cumulative.back() * k / FILTER_INTERVALS;
-        const auto above = std::ranges::upper_bound(cumulative, wanted);
-        const double low = *(above - 1);
-        places.push_back(float(place(double(above - 1 - cumulative.begin()) + (wanted - low) / (*above - low))));
-    }
-    places.push_back(float(radius));
-    return places;
-}
-
 FacetLoss facetLoss(double alpha) {
     std::vector<double> values(LOSS_INTERVALS + 1);
     auto cosineAt = [](double place) { return place * place / (double(LOSS_INTERVALS) * LOSS_INTERVALS); };
@@ -160,9 +144,9 @@ PathTables makePathTables(const Scene& scene, const SceneMaps& maps) {
         return place;
     };
     const PixelFilter& filter = scene.pixel_filter;
-    if (filter.kind == PixelFilter::Kind::Gaussian) {
-        append(filterPlaces(filter.radius.x, filter.falloff));
-        append(filterPlaces(filter.radius.y, filter.falloff));
+    if (filterKind(filter) != FILTER_BOX) {
+        const FilterTable x = filterTable(filter, filter.radius.x), y = filterTable(filter, filter.radius.y);
+        for (const auto* values : {&x.places, &y.places, &x.weights, &y.weights}) append(*values);
     }
     auto appendLoss = [&](const Material& material) {
         const auto* conductor = std::get_if<Conductor>(&material);

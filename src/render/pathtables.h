@@ -18,17 +18,13 @@ struct PathTables {
         double mean;  ///< 2 int loss c dc
     };
 
-    std::vector<float> values;      ///< first the Gaussian filter, if there is one
+    std::vector<float> values;      ///< first the pixel filter, unless it is a box
     std::map<double, Loss> losses;  ///< of conductors, by GGX's alpha
     int light_image = -1;           ///< place of the infinite light's distribution
     double light_luminance = 0.0;   ///< mean over all directions of its image
 };
 /// Empty for a scene that needs none.
 PathTables makePathTables(const Scene& scene, const SceneMaps& maps);
-
-/// One axis of the Gaussian pixel filter: the place, in pixels from the centre, under which each of FILTER_INTERVALS
-/// equal shares of the kernel lies; FILTER_INTERVALS + 1 values from -radius to radius.
-std::vector<float> filterPlaces(double radius, double falloff);
 
 /// Of GGX facets that reflect all: the share of light that they do not reflect at once.
 struct FacetLoss {

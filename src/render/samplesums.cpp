@@ -3,7 +3,9 @@
 #include "base/error.h"
 #include "render/devicefilm.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace dsphere {
 
@@ -24,6 +26,16 @@ Image pictureOf(SampleSums sums) {
             picture.channels.push_back(std::move(channel));
         }
     return picture;
+}
+
+std::size_t nonFinitePixels(const SampleSums& sums) {
+    std::size_t count = 0;
+    const std::size_t pixels = sums.sums.channels.empty() ? 0 : sums.sums.channels[0].floats().size();
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const auto isFinite = [&](const Channel& channel) { return std::isfinite(channel.floats()[i]); };
+        count += !std::ranges::all_of(sums.sums.channels, isFinite);
+    }
+    return count;
 }
 
 SampleSums sumsOf(const Image& picture, int samples) {

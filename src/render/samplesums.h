@@ -18,4 +18,7 @@ Image pictureOf(SampleSums sums);
 /// (InvalidInput) without the channels that it takes.
 SampleSums sumsOf(const Image& picture, int samples);
 
+/// How many pixels hold a sum that is not finite: a sample of theirs was not.
+std::size_t nonFinitePixels(const SampleSums& sums);
+
 }  // namespace dsphere

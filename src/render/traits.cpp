@@ -1,5 +1,7 @@
 #include "render/traits.h"
 
+#include "render/filtertable.h"
+
 #include <algorithm>
 
 namespace dsphere {
@@ -46,7 +48,7 @@ SceneTraits::Paths pathsOf(const Scene& scene) {
     paths.clamp = float(scene.integrator.clamp);
     paths.regularize = paths.diffuse_paths && scene.integrator.regularize;
     paths.hide_distance = scene.integrator.hide_distance;
-    paths.gaussian = scene.pixel_filter.kind == PixelFilter::Kind::Gaussian;
+    paths.filter = filterKind(scene.pixel_filter);
     paths.radius_x = float(scene.pixel_filter.radius.x);
     paths.radius_y = float(scene.pixel_filter.radius.y);
     return paths;
@@ -57,8 +59,8 @@ SceneTraits::Paths pathsOf(const Scene& scene) {
 bool SceneTraits::needsPaths() const {
     const std::uint32_t delta_lights = bit(LIGHT_DISTANT) | bit(LIGHT_POINT);
     return paths.materials != bit(MATERIAL_MATTE) || (paths.light_kinds & ~delta_lights) != 0 || paths.rough_mattes ||
-           paths.checkerboards || paths.meshes || paths.diffuse_paths || paths.clamp > 0.0f || paths.gaussian ||
-           paths.radius_x != 0.5f || paths.radius_y != 0.5f;
+           paths.checkerboards || paths.meshes || paths.diffuse_paths || paths.clamp > 0.0f ||
+           paths.filter != FILTER_BOX || paths.radius_x != 0.5f || paths.radius_y != 0.5f;
 }
 
 int lightKind(const Scene& scene, const Light& light) {

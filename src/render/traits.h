@@ -24,7 +24,7 @@ struct SceneTraits {
         std::uint32_t max_depth = 0;
         float clamp = 0.0f;  ///< 0: none
         bool regularize = false, hide_distance = false;
-        bool gaussian = false;
+        int filter = FILTER_BOX;  ///< FILTER_ of the pixel filter
         float radius_x = 0.5f, radius_y = 0.5f;
 
         bool operator==(const Paths&) const = default;

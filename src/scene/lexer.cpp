@@ -22,8 +22,20 @@ bool endsWord(char c) {
     return isSpace(c) || c == '"' || c == '[' || c == ']' || c == '#';
 }
 
-void refuseControl(char c, const SourceLocation& where) {
-    if (isControl(c)) failAt(where, "control character 0x{:02x}; a scene is plain text", static_cast<unsigned char>(c));
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // UTF-8's, which some editors write first
+constexpr std::string_view kGet = "# get:";
+
+/// The first thing that is wrong with a token is what it tells.
+void spoil(Token& token, const SourceLocation& where, std::string what) {
+    if (token.is(Token::Kind::Malformed)) return;
+    token = {Token::Kind::Malformed, std::move(what), where};
+}
+
+void append(Token& token, char c, const SourceLocation& where) {
+    if (isControl(c))
+        spoil(token, where,
+              fmt::format("control character 0x{:02x}; a scene is plain text", static_cast<unsigned char>(c)));
+    if (!token.is(Token::Kind::Malformed)) token.text += c;
 }
 
 // from_chars knows no leading plus, which pbrt's files may have.
@@ -36,16 +48,23 @@ std::string_view withoutPlus(std::string_view text) {
 
 Lexer::Lexer(std::string_view text, std::string file) : text_(text) {
     here_.file = std::move(file);
+    if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
     ahead_ = scan();
 }
 
 Token Lexer::next() {
     Token token = ahead_;
     if (!token.is(Token::Kind::End)) ahead_ = scan();
+    if (token.is(Token::Kind::Malformed)) failAt(token.where, "{}", token.text);
     return token;
 }
 
+void Lexer::skip() {
+    if (!ahead_.is(Token::Kind::End)) ahead_ = scan();
+}
+
 Token Lexer::takeString(std::string_view what) {
+    if (ahead_.is(Token::Kind::Malformed)) return next();
     if (!ahead_.is(Token::Kind::String))
         failAt(ahead_.where, "expected {} in double quotes, found {}", what, described(ahead_));
     return next();
@@ -59,12 +78,25 @@ void Lexer::advance() {
 }
 
 void Lexer::skipSpace() {
-    bool comment = false;
-    for (; !atEnd(); advance()) {
-        if (current() == '#') comment = true;
-        if (current() == '\n') comment = false;
-        if (!comment && !isSpace(current())) return;
+    while (!atEnd()) {
+        if (current() == '#')
+            skipComment();
+        else if (isSpace(current()))
+            advance();
+        else
+            return;
     }
+}
+
+// Up to the end of its line.
+void Lexer::skipComment() {
+    const std::size_t begin = position_;
+    while (!atEnd() && current() != '\n') advance();
+    std::string_view comment = text_.substr(begin, position_ - begin);
+    if (!comment.starts_with(kGet)) return;
+    comment.remove_prefix(kGet.size());
+    const std::size_t first = comment.find_first_not_of(" \t"), last = comment.find_last_not_of(" \t\r");
+    how_to_get_ = first == std::string_view::npos ? "" : comment.substr(first, last + 1 - first);
 }
 
 Token Lexer::scan() {
@@ -81,26 +113,26 @@ Token Lexer::scan() {
 
 Token Lexer::scanString(Token token) {
     token.kind = Token::Kind::String;
+    const SourceLocation begin = here_;
     for (advance(); !atEnd() && current() != '\n' && current() != '"'; advance()) {
-        refuseControl(current(), here_);
         if (current() == '\\') {
             advance();
             if (atEnd() || (current() != '"' && current() != '\\'))
-                failAt(here_, "unknown escape in a string; supported: \\\" and \\\\");
+                spoil(token, here_, "unknown escape in a string; supported: \\\" and \\\\");
+            if (atEnd() || current() == '\n') return token;
         }
-        token.text += current();
+        append(token, current(), here_);
     }
-    if (atEnd() || current() != '"') failAt(token.where, "unterminated string: a string ends on the line it begins on");
-    advance();
+    if (atEnd() || current() != '"')
+        spoil(token, begin, "unterminated string: a string ends on the line it begins on");
+    else
+        advance();
     return token;
 }
 
 Token Lexer::scanWord(Token token) {
     token.kind = Token::Kind::Word;
-    for (; !atEnd() && !endsWord(current()); advance()) {
-        refuseControl(current(), here_);
-        token.text += current();
-    }
+    for (; !atEnd() && !endsWord(current()); advance()) append(token, current(), here_);
     return token;
 }
 
@@ -123,14 +155,16 @@ bool isNan(const Token& token) {
 }
 
 int integerOf(const Token& token) {
-    std::string_view text = withoutPlus(token.text);
-    int value = 0;
-    auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    bool whole = token.is(Token::Kind::Word) && end == text.data() + text.size();
-    if (!whole || error == std::errc::invalid_argument)
-        failAt(token.where, "expected an integer, found {}", described(token));
-    if (error != std::errc()) failAt(token.where, "{} does not fit an integer of 32 bits", described(token));
-    return value;
+    const auto isNumber = [&](std::string_view text) {
+        double value = 0.0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        return token.is(Token::Kind::Word) && end == text.data() + text.size() && error != std::errc::invalid_argument;
+    };
+    if (!isNumber(withoutPlus(token.text))) failAt(token.where, "expected an integer, found {}", described(token));
+    const double value = numberOf(token);
+    if (value != std::floor(value)) failAt(token.where, "expected an integer, found {}", described(token));
+    if (std::abs(value) > 2147483647.0) failAt(token.where, "{} does not fit an integer of 32 bits", described(token));
+    return int(value);
 }
 
 }  // namespace dsphere

@@ -1,25 +1,54 @@
+#include "base/limits.h"
+#include "scene/blackbody.h"
 #include "scene/directives.h"
 #include "scene/transforms.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dsphere {
 
 namespace {
 
+constexpr Range kKelvin{500.0, 100000.0};
 constexpr double kRigid = 1e-5;  // how far a rotation may scale: written matrices have six digits
 
 // v4's scale is a float, v3's a colour.
 dvec3 scaleOf(Parameters& p) {
-    const Parameter* parameter = p.take("scale", {"float", "rgb"});
-    if (!parameter) return dvec3(1.0);
-    if (parameter->type == "rgb") return tripleValue(*parameter, kNotNegative);
-    return dvec3(numberValue(*parameter, kNotNegative));
+    return p.valueOr("scale", {"float", "rgb"}, dvec3(1.0), [](const Parameter& scale) {
+        return scale.type == "rgb" ? tripleValue(scale, kNotNegative) : dvec3(numberValue(scale, kNotNegative));
+    });
+}
+
+// One number is v4's temperature; pairs of a temperature and a factor are v3's.
+dvec3 blackbodyOf(const Parameter& parameter) {
+    if (parameter.values.size() == 1) return blackbodyOfLuminance1(numberValue(parameter, kKelvin));
+    const std::vector<double> pairs = listValue(parameter, 2, "pairs of kelvin and factor", 16);
+    dvec3 sum(0.0);
+    for (std::size_t i = 0; i < pairs.size(); i += 2) {
+        if (!kKelvin.holds(pairs[i]) || !(pairs[i + 1] >= 0.0))
+            failAt(parameter.values[i].where,
+                   "parameter {} is {} kelvin times {}; supported: {} kelvin, times 0 or more",
+                   inQuotes(parameter.name), pairs[i], pairs[i + 1], kKelvin.text());
+        sum += pairs[i + 1] * blackbodyOfPeak1(pairs[i]);
+    }
+    return sum;
 }
 
 dvec3 emission(Statement s, Parameters& p, std::string_view name) {
-    dvec3 product = p.rgb(name, kNotNegative).value_or(dvec3(1.0)) * scaleOf(p);
-    if (glm::any(glm::isinf(product))) failAt(s.word.where, "{} times scale overflows", name);
+    const dvec3 colour = p.valueOr(name, {"rgb", "blackbody"}, dvec3(1.0), [](const Parameter& light) {
+        return light.type == "rgb" ? tripleValue(light, kNotNegative) : blackbodyOf(light);
+    });
+    const dvec3 product = colour * scaleOf(p);
+    if (glm::any(glm::greaterThan(product, dvec3(limits::kRadiance))))
+        p.attempt([&] {
+            failAt(s.word.where, "{} times scale is {}; supported: at most {}", name,
+                   std::max({product.x, product.y, product.z}), limits::kRadiance);
+        });
+    p.refuse("power", fmt::format("lights are not scaled by their power; give {}, the light itself", name));
+    p.refuse("illuminance", fmt::format("lights are not scaled by what they light; give {} and scale", name));
+    // How many samples pbrt takes of this light at once.
+    for (const char* samples : {"samples", "nsamples"}) p.ignore(samples, {"integer"});
     return product;
 }
 
@@ -41,17 +70,20 @@ PointLight pointLight(Statement s, Parameters& p) {
     light.intensity = emission(s, p, "I");
     light.position = transformPoint(s.state.attributes.ctm, p.point("from").value_or(dvec3(0.0)));
     p.finish();
-    if (glm::any(glm::isinf(light.position)) || glm::any(glm::isnan(light.position)))
-        failAt(s.word.where, "the point light's position overflows");
+    if (!glm::all(glm::lessThanEqual(glm::abs(light.position), dvec3(limits::kGreatestCoordinate))))
+        failAt(s.word.where, "the point light is at {} {} {}; supported: coordinates up to {}", light.position.x,
+               light.position.y, light.position.z, limits::kGreatestCoordinate);
     return light;
 }
 
 // v3 names the image by mapname, v4 by filename.
 std::optional<Token> lightImage(Parameters& p) {
     std::optional<Token> mapname = p.string("mapname"), filename = p.string("filename");
-    if (mapname && filename) failAt(*p.placeOf("filename"), "mapname and filename mean the same: give one");
     std::optional<Token> name = mapname ? mapname : filename;
-    if (name && name->text.empty()) failAt(name->where, "the image's name is empty");
+    p.attempt([&] {
+        if (mapname && filename) failAt(*p.placeOf("filename"), "mapname and filename mean the same: give one");
+        if (name && name->text.empty()) failAt(name->where, "the image's name is empty");
+    });
     return name;
 }
 
@@ -60,7 +92,7 @@ InfiniteLight infiniteLight(Statement s, Parameters& p) {
     light.radiance = emission(s, p, "L");
     light.where = s.word.where;
     if (std::optional<Token> name = lightImage(p)) {
-        light.map_path = s.source.resolve(name->text);
+        light.map_path = resolvePath(s, name->text);
         light.where = name->where;
     }
     p.finish();
@@ -78,8 +110,9 @@ InfiniteLight infiniteLight(Statement s, Parameters& p) {
 }  // namespace
 
 void lightSource(Statement s) {
-    auto [name, p] = readNamed(s, "light", {"distant", "point", "infinite"});
+    auto [name, p] = readNamed(s, "light", {"distant", "point", "infinite"}, s.state.attributes.defaults.light);
     auto& lights = s.state.scene.lights;
+    requireRoom(s, s.state.scene.shapes.size(), lights.size() + 1);
     if (name.text == "distant")
         lights.push_back(distantLight(s, p));
     else if (name.text == "point")
@@ -89,7 +122,7 @@ void lightSource(Statement s) {
 }
 
 void areaLightSource(Statement s) {
-    auto [name, p] = readNamed(s, "area light", {"diffuse"});
+    auto [name, p] = readNamed(s, "area light", {"diffuse"}, s.state.attributes.defaults.light);
     Emission shining;
     shining.radiance = emission(s, p, "L");
     shining.two_sided = p.boolean("twosided").value_or(shining.two_sided);

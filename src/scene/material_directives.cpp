@@ -12,14 +12,16 @@ constexpr Range kDegrees{0.0, 90.0};
 constexpr Range kIndex{0.0, 1000.0};  // of refraction
 constexpr double kLeastAlpha = 0.001;
 
+Texture colourOf(Statement s, Parameters& p, std::string_view name, const Texture& otherwise) {
+    return p.valueOr(name, {"rgb", "texture"}, otherwise, [&](const Parameter& c) { return textureValue(s, c); });
+}
+
 // v3 says Kd, v4 reflectance; either spelling of the material takes either.
 Matte matteOf(Statement s, Parameters& p) {
     Matte matte;
-    const Parameter* kd = p.take("Kd", {"rgb", "texture"});
-    const Parameter* reflectance = p.take("reflectance", {"rgb", "texture"});
-    if (kd && reflectance) failAt(reflectance->where, "Kd and reflectance mean the same: give one");
-    if (kd) matte.reflectance = textureValue(s, *kd);
-    if (reflectance) matte.reflectance = textureValue(s, *reflectance);
+    const auto kd = p.placeOf("Kd"), reflectance = p.placeOf("reflectance");
+    if (kd && reflectance) p.attempt([&] { failAt(*reflectance, "Kd and reflectance mean the same: give one"); });
+    for (const char* name : {"Kd", "reflectance"}) matte.reflectance = colourOf(s, p, name, matte.reflectance);
     matte.sigma = p.number("sigma", kDegrees).value_or(matte.sigma);
     return matte;
 }
@@ -36,12 +38,13 @@ double alphaOf(Parameters& p, double roughness, bool v4) {
     roughness = p.number("roughness", kNotNegative).value_or(roughness);
     const double u = p.number("uroughness", kNotNegative).value_or(roughness);
     const double v = p.number("vroughness", kNotNegative).value_or(roughness);
-    if (u != v) {
-        std::optional<SourceLocation> where = p.placeOf("uroughness");
-        failAt(where ? *where : *p.placeOf("vroughness"),
-               "uroughness {} is not vroughness {}; supported: the same roughness in all directions", u, v);
-    }
     const bool remap = p.boolean("remaproughness").value_or(true);
+    p.attempt([&] {
+        std::optional<SourceLocation> where = p.placeOf("uroughness");
+        if (!where) where = p.placeOf("vroughness");
+        if (where && u != v && p.isSound())
+            failAt(*where, "uroughness {} is not vroughness {}; supported: the same roughness in all directions", u, v);
+    });
     return std::clamp(remap ? remapped(u, v4) : u, kLeastAlpha, 1.0);
 }
 
@@ -60,22 +63,24 @@ const Metal& metalNamed(const Parameter& parameter) {
 
 Conductor conductorOf(Parameters& p, bool v4) {
     Conductor metal;
-    if (const Parameter* eta = p.take("eta", {"rgb", "spectrum"}))
-        metal.eta = eta->type == "rgb" ? tripleValue(*eta, kIndex) : metalNamed(*eta).eta;
-    if (const Parameter* k = p.take("k", {"rgb", "spectrum"}))
-        metal.k = k->type == "rgb" ? tripleValue(*k, kIndex) : metalNamed(*k).k;
+    const Words types = {"rgb", "spectrum"};
+    metal.eta = p.valueOr("eta", types, metal.eta, [](const Parameter& eta) {
+        return eta.type == "rgb" ? tripleValue(eta, kIndex) : metalNamed(eta).eta;
+    });
+    metal.k = p.valueOr("k", types, metal.k,
+                        [](const Parameter& k) { return k.type == "rgb" ? tripleValue(k, kIndex) : metalNamed(k).k; });
     metal.alpha = alphaOf(p, 0.01, v4);
     return metal;
 }
 
 dvec3 factorOf(Statement s, Parameters& p, std::string_view name, const dvec3& otherwise) {
-    const Parameter* parameter = p.take(name, {"rgb", "texture"});
-    return parameter ? constantValue(s, *parameter, kFraction) : otherwise;
+    return p.valueOr(name, {"rgb", "texture"}, otherwise,
+                     [&](const Parameter& factor) { return constantValue(s, factor, kFraction); });
 }
 
 Plastic plasticOf(Statement s, Parameters& p) {
     Plastic plastic;
-    if (const Parameter* kd = p.take("Kd", {"rgb", "texture"})) plastic.diffuse = textureValue(s, *kd);
+    plastic.diffuse = colourOf(s, p, "Kd", plastic.diffuse);
     plastic.specular = factorOf(s, p, "Ks", plastic.specular);
     plastic.alpha = alphaOf(p, 0.1, false);
     return plastic;
@@ -100,24 +105,44 @@ Material materialOf(Statement s, std::string_view type, Parameters& p) {
 }  // namespace
 
 void material(Statement s) {
-    auto [name, p] = readNamed(s, "material", kMaterials);
+    auto [name, p] = readNamed(s, "material", kMaterials, s.state.attributes.defaults.material);
     s.state.attributes.material = materialOf(s, name.text, p);
 }
 
-void makeNamedMaterial(Statement s) {
-    auto [name, p] = readNamed(s, "name of a material", {});
-    if (s.state.materials.contains(name.text)) failAt(name.where, "material {} is defined twice", described(name));
+namespace {
+
+Material readNamedMaterial(Statement s, const Token& name) {
+    Parameters p(s.source.lexer, fmt::format("{} {}", s.word.text, described(name)), s.state.report);
+    if (const Defaults::List& defaults = s.state.attributes.defaults.material) p.complete(*defaults);
     std::optional<std::string> type = p.choice("type", kMaterials);
+    p.requireSound();
     if (!type)
         failAt(s.word.where, "MakeNamedMaterial {} lacks \"string type\"; supported: {}", described(name),
                listed(kMaterials));
-    s.state.materials.emplace(name.text, materialOf(s, *type, p));
+    return materialOf(s, *type, p);
+}
+
+}  // namespace
+
+void makeNamedMaterial(Statement s) {
+    const Token name = s.source.lexer.takeString("the name of a material");
+    if (s.state.materials.contains(name.text)) failAt(name.where, "material {} is defined twice", described(name));
+    requireRoomForName(s);
+    try {
+        s.state.materials.emplace(name.text, readNamedMaterial(s, name));
+    } catch (...) {
+        s.state.materials.emplace(name.text, Material{});  // its use is no error too
+        throw;
+    }
 }
 
 void namedMaterial(Statement s) {
     Token name = s.source.lexer.takeString("a material's name");
     auto found = s.state.materials.find(name.text);
-    if (found == s.state.materials.end()) failAt(name.where, "undefined material {}", described(name));
+    if (found == s.state.materials.end()) {
+        if (s.state.recovery.file_missing) throw AlreadyReported{};
+        failAt(name.where, "undefined material {}", described(name));
+    }
     s.state.attributes.material = found->second;
 }
 

@@ -1,3 +1,4 @@
+#include "base/limits.h"
 #include "scene/directives.h"
 #include "scene/transforms.h"
 
@@ -7,24 +8,40 @@ namespace dsphere {
 
 namespace {
 
-constexpr int kMaxResolution = 65536;  // pixels a side
-constexpr int kMaxPixelSamples = 1 << 20;
 constexpr int kMaxInteger = std::numeric_limits<int>::max();
-constexpr Range kFilterRadius{0.01, 8.0};  // pixels
-// The falloff stays within 0.001 to 1000, in both spellings.
-constexpr Range kFilterAlpha{0.001, 1000.0}, kFilterSigma{0.03, 20.0};
+constexpr const char* kScalesPicture = "it would scale the picture; supported here: scale of the lights, --exposure";
 
 // pbrt's rule: a crop keeps the pixels from ceil(from * size) to before ceil(to * size).
 bool cropIsEmpty(double from, double to, int size) {
     return std::ceil(from * size) >= std::ceil(to * size);
 }
 
+Range exactly(double value) {
+    return {value, value};
+}
+
+// A pinhole's shutter and focus show nothing, as long as nothing moves.
+void ignoreLens(Parameters& p) {
+    p.ignoreWithin("lensradius", exactly(0.0), "0, a pinhole");
+    for (const char* name : {"focaldistance", "shutteropen", "shutterclose"}) p.ignore(name, {"float"});
+}
+
+// pbrt v3 may give half the angle.
+void readFov(Camera& camera, Parameters& p) {
+    const auto [least, greatest] = limits::kFov;
+    const std::optional<double> fov = p.number("fov", {least, greatest});
+    const std::optional<double> half = p.number("halffov", {0.5 * least, 0.5 * greatest});
+    if (fov && half) p.attempt([&] { failAt(*p.placeOf("halffov"), "fov and halffov mean the same: give one"); });
+    if (fov) camera.fov_degrees = *fov;
+    if (half) camera.fov_degrees = 2.0 * *half;
+}
+
+}  // namespace
+
 void requireOnce(Statement s) {
     auto [earlier, first] = s.state.given.emplace(s.word.text, s.word.where);
     if (!first) failAt(s.word.where, "{} is given twice, first at {}", s.word.text, earlier->second.text());
 }
-
-}  // namespace
 
 void camera(Statement s) {
     requireOnce(s);
@@ -33,10 +50,18 @@ void camera(Statement s) {
     camera.projection = name.text == "orthographic" ? Projection::Orthographic : Projection::Perspective;
     camera.camera_from_world = s.state.attributes.ctm;
     if (!isInvertible(camera.camera_from_world)) failAt(s.word.where, "the camera's transform is singular");
-    if (camera.projection == Projection::Perspective)
-        camera.fov_degrees = p.number("fov", {0.0, 180.0, true}).value_or(camera.fov_degrees);
+    const dmat4 world_from_camera = glm::inverse(camera.camera_from_world);
+    s.state.coordinate_systems["camera"] = world_from_camera;
+    const dvec3 eye = dvec3(world_from_camera[3]) + 0.0;  // no -0
+    if (!(glm::all(glm::lessThanEqual(glm::abs(eye), dvec3(limits::kGreatestCoordinate)))))
+        p.attempt([&] {
+            failAt(s.word.where, "the eye is at {:.3g} {:.3g} {:.3g}; supported: coordinates up to {}", eye.x, eye.y,
+                   eye.z, limits::kGreatestCoordinate);
+        });
+    if (camera.projection == Projection::Perspective) readFov(camera, p);
     camera.screen_window = p.fourNumbers("screenwindow", kAnyNumber);
     camera.frame_aspect_ratio = p.number("frameaspectratio", kPositive);
+    ignoreLens(p);
     p.finish();
     if (camera.screen_window && camera.frame_aspect_ratio)
         failAt(s.word.where, "screenwindow and frameaspectratio exclude each other: give one");
@@ -46,17 +71,37 @@ void camera(Statement s) {
         failAt(s.word.where, "screenwindow is empty; supported: [x0 x1 y0 y1], x0 < x1, y0 < y1");
 }
 
+namespace {
+
+// What pbrt's films say of the sensor and of how the picture is stored.
+void ignoreSensor(Parameters& p) {
+    p.ignore("diagonal", {"float"});
+    p.ignore("savefp16", {"bool"});
+    p.ignoreWithin("scale", exactly(1.0), kScalesPicture);
+    p.ignoreWithin("iso", exactly(100.0), kScalesPicture);
+    p.ignoreWithin("exposuretime", exactly(1.0), kScalesPicture);
+    p.ignoreWithin("imagingratio", exactly(1.0), kScalesPicture);
+    p.ignoreWithin("whitebalance", exactly(0.0), "0, none");
+    for (const char* name : {"maxsampleluminance", "maxcomponentvalue"})
+        p.ignoreWithin(name, {1e5, kInfinity}, "at least 100000, as good as none; --clamp bounds samples");
+    p.ignoreWord("sensor", {"cie1931"});
+    p.ignoreWord("coordinatesystem", {"world"});
+}
+
+}  // namespace
+
 void film(Statement s) {
     requireOnce(s);
     auto [name, p] = readNamed(s, "film", {"image", "rgb", "gbuffer"});
     Film& film = s.state.scene.film;
     if (auto filename = p.string("filename")) {
-        if (filename->text.empty()) failAt(filename->where, "the film's filename is empty");
+        if (filename->text.empty()) p.attempt([&] { failAt(filename->where, "the film's filename is empty"); });
         film.filename = filename->text;
     }
-    film.width = p.integer("xresolution", 1, kMaxResolution).value_or(film.width);
-    film.height = p.integer("yresolution", 1, kMaxResolution).value_or(film.height);
+    film.width = p.integer("xresolution", 1, limits::kResolution).value_or(film.width);
+    film.height = p.integer("yresolution", 1, limits::kResolution).value_or(film.height);
     film.crop = p.fourNumbers("cropwindow", kFraction).value_or(film.crop);
+    ignoreSensor(p);
     p.finish();
     auto [x0, x1, y0, y1] = film.crop;
     if (cropIsEmpty(x0, x1, film.width) || cropIsEmpty(y0, y1, film.height))
@@ -69,9 +114,21 @@ void sampler(Statement s) {
     requireOnce(s);
     auto [name, p] = readNamed(s, "sampler", {});
     Sampler& sampler = s.state.scene.sampler;
-    sampler.pixel_samples = p.integer("pixelsamples", 1, kMaxPixelSamples).value_or(sampler.pixel_samples);
-    sampler.seed = p.integer("seed", 0, kMaxInteger).value_or(sampler.seed);
+    const std::optional<int> samples = p.integer("pixelsamples", 1, limits::kPixelSamples);
+    // The stratified sampler's.
+    const std::optional<int> x = p.integer("xsamples", 1, 4096), y = p.integer("ysamples", 1, 4096);
+    const std::optional<int> seed = p.integer("seed", 0, kMaxInteger);
+    p.ignoreFlag("samplepixelcenter", false, "since samples spread over the pixel");
+    p.ignore("dimensions", {"integer"});
+    p.ignore("jitter", {"bool"});
+    p.ignore("randomization", {"string"});
     p.finish();
+    if (samples && (x || y)) failAt(s.word.where, "pixelsamples and xsamples times ysamples exclude each other");
+    const int product = x.value_or(4) * y.value_or(4);
+    if ((x || y) && product > limits::kPixelSamples)
+        failAt(s.word.where, "xsamples times ysamples is {}; supported: at most {}", product, limits::kPixelSamples);
+    sampler.pixel_samples = samples.value_or(x || y ? product : sampler.pixel_samples);
+    sampler.seed = seed.value_or(s.state.default_seed.value_or(sampler.seed));
 }
 
 void integrator(Statement s) {
@@ -80,52 +137,46 @@ void integrator(Statement s) {
     Integrator& integrator = s.state.scene.integrator;
     // Without volumes volpath is path.
     integrator.kind = name.text == "directlighting" ? Integrator::Kind::DirectLighting : Integrator::Kind::Path;
-    integrator.max_depth = p.integer("maxdepth", 0, kMaxInteger).value_or(integrator.max_depth);
+    const std::optional<SourceLocation> where = p.placeOf("maxdepth");
+    const int depth = p.integer("maxdepth", 0, kMaxInteger).value_or(integrator.max_depth);
+    if (depth > limits::kMaxDepth)
+        s.state.report.note(*where, "maxdepth",
+                            fmt::format("{} counts as {}, the greatest one", depth, limits::kMaxDepth));
+    integrator.max_depth = std::min(depth, limits::kMaxDepth);
     if (integrator.kind == Integrator::Kind::Path)
         integrator.regularize = p.boolean("regularize").value_or(integrator.regularize);
+    // How pbrt spreads its rays: the mean of the samples stays.
+    p.ignore("rrthreshold", {"float"});
+    for (const char* name_of : {"lightsamplestrategy", "lightsampler", "strategy"}) p.ignore(name_of, {"string"});
     p.finish();
 }
 
-namespace {
-
-// v3 says xwidth for what v4 calls xradius; the two cannot be mixed, since their defaults differ.
-struct FilterSpelling {
-    std::optional<double> x, y;
-    std::optional<SourceLocation> where;  // of the first parameter that is given, alpha and sigma included
-    std::string_view word;                // that parameter
-};
-
-FilterSpelling spelled(Parameters& p, std::initializer_list<std::string_view> words) {
-    FilterSpelling result;
-    for (std::string_view word : words) {
-        std::optional<SourceLocation> where = p.placeOf(word);
-        if (where && !result.where) result.where = where, result.word = word;
-    }
-    result.x = p.number(words.begin()[0], kFilterRadius);
-    result.y = p.number(words.begin()[1], kFilterRadius);
-    return result;
-}
-
-}  // namespace
-
-void pixelFilter(Statement s) {
+void accelerator(Statement s) {
     requireOnce(s);
-    auto [name, p] = readNamed(s, "pixel filter", {"box", "gaussian"});
-    const bool gaussian = name.text == "gaussian";
-    FilterSpelling v3 = spelled(p, {"xwidth", "ywidth", "alpha"}), v4 = spelled(p, {"xradius", "yradius", "sigma"});
-    std::optional<double> alpha, sigma;
-    if (gaussian) alpha = p.number("alpha", kFilterAlpha), sigma = p.number("sigma", kFilterSigma);
+    s.source.lexer.takeString("the accelerator");
+    Parameters(s.source.lexer, "Accelerator", s.state.report).requireSound();
+    s.state.report.note(s.word.where, "Accelerator", "changes nothing here");
+}
+
+void colorSpace(Statement s) {
+    requireOneOf(s.source.lexer.takeString("a colour space"), "colour space", {"srgb"});
+    s.state.report.note(s.word.where, "ColorSpace", "changes nothing here: it is the one that is used");
+}
+
+// pbrt v4: one parameter, without a name before it.
+void option(Statement s) {
+    Parameters p(s.source.lexer, "Option", s.state.report);
+    const std::optional<int> seed = p.integer("seed", 0, kMaxInteger);
+    p.ignoreFlag("disablepixeljitter", false, "since samples spread over the pixel");
+    p.ignoreFlag("forcediffuse", false, "since materials are as they are said");
+    for (const char* name : {"disabletexturefiltering", "disablewavelengthjitter", "pixelstats", "wavefront"})
+        p.ignore(name, {"bool"});
+    p.ignore("displacementedgescale", {"float"});
+    for (const char* name : {"rendercoordsys", "msereferenceimage", "msereferenceout"}) p.ignore(name, {"string"});
     p.finish();
-    if (v3.where && v4.where)
-        failAt(*v4.where, "{} is pbrt v4's, and {} (at {}) is pbrt v3's: give one spelling", v4.word, v3.word,
-               v3.where->text());
-    PixelFilter& filter = s.state.scene.pixel_filter;
-    filter.kind = gaussian ? PixelFilter::Kind::Gaussian : PixelFilter::Kind::Box;
-    const double radius = !gaussian ? 0.5 : v3.where ? 2.0 : 1.5;
-    filter.radius = v3.where ? dvec2(v3.x.value_or(radius), v3.y.value_or(radius))
-                             : dvec2(v4.x.value_or(radius), v4.y.value_or(radius));
-    if (alpha) filter.falloff = *alpha;
-    if (sigma) filter.falloff = 1.0 / (2.0 * *sigma * *sigma);
+    if (!seed) return;
+    s.state.default_seed = *seed;
+    if (!s.state.given.contains("Sampler")) s.state.scene.sampler.seed = *seed;
 }
 
 }  // namespace dsphere

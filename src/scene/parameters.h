@@ -1,6 +1,9 @@
 #pragma once
 
 // A directive's `"type name" value` list, typed, and strict: whatever nobody asked for is an error.
+//
+// A wrong parameter goes into the report and counts as absent, so that one run finds all wrong ones; finish() leaves
+// the directive if there were any.
 
 #include "base/math.h"
 #include "scene/diagnostics.h"
@@ -43,17 +46,31 @@ struct Parameter {
     std::vector<Token> values;
     SourceLocation where;  ///< of the declaration's opening quote
     bool used = false;
+    bool optional = false;  ///< given by Attribute: the directive need not know it
 };
 
 class Parameters {
   public:
     /// Reads all parameters up to the next directive. `owner` is what messages call the directive: `Shape "disk"`.
-    /// Throws Error (InvalidInput): malformed declaration, unknown type, name given twice, unclosed or nested bracket.
-    Parameters(Lexer& input, std::string owner);
+    /// Reports malformed declarations, unknown types, names given twice; throws SceneError for an unclosed bracket.
+    Parameters(Lexer& input, std::string owner, Report& report);
 
-    /// The parameter of that name, or nullptr; fails when it has none of the `types`. Every name that is asked for
-    /// counts as supported, so a directive asks for all of its parameters before finish().
+    /// Takes those of `defaults` whose names are not given.
+    void complete(const std::vector<Parameter>& defaults);
+    /// All of them, taken out.
+    std::vector<Parameter> release() { return std::move(parameters_); }
+
+    /// The parameter of that name, or nullptr; a type that is none of `types` is reported. Integers serve as floats and
+    /// the other way round. Every name that is asked for counts as supported, so a directive asks for all of its
+    /// parameters before finish().
     const Parameter* take(std::string_view name, const Words& types);
+    /// `read(parameter)` if it is given, else `otherwise`; what `read` throws is reported.
+    template <typename T, typename Read>
+    T valueOr(std::string_view name, const Words& types, T otherwise, Read read) {
+        const Parameter* parameter = take(name, types);
+        if (parameter) attempt([&] { otherwise = read(*parameter); });
+        return otherwise;
+    }
 
     std::optional<double> number(std::string_view name, const Range& range);
     /// As number(), but nan may be given too.
@@ -69,13 +86,46 @@ class Parameters {
     std::optional<dvec3> point(std::string_view name);
     std::optional<std::array<double, 4>> fourNumbers(std::string_view name, const Range& range);
 
-    /// Fails at the first parameter that was not asked for.
-    void finish() const;
+    // Parameters of pbrt that cannot change a picture here: accepted and noted.
+    /// Unless `check(parameter)` throws.
+    template <typename Check>
+    void ignoreIf(std::string_view name, const Words& types, Check check) {
+        const Parameter* parameter = find(name, types);
+        if (parameter) attempt([&] { check(*parameter), note(*parameter); });
+    }
+    /// Whatever it says.
+    void ignore(std::string_view name, const Words& types);
+    /// Within `range` alone; `why` completes the error otherwise: "supported: 0, a pinhole".
+    void ignoreWithin(std::string_view name, const Range& range, std::string_view why);
+    void ignoreFlag(std::string_view name, bool expected, std::string_view why);
+    void ignoreWord(std::string_view name, const Words& supported);
+    /// Reports the parameter if it is given, and says why it has no place here.
+    void refuse(std::string_view name, std::string_view why);
+
+    /// Runs `check`, and reports what it throws.
+    template <typename Check>
+    void attempt(Check check) {
+        try {
+            check();
+        } catch (const SceneError& error) {
+            report_->add(error);
+            failed_ = true;
+        }
+    }
+    /// Leaves the directive (AlreadyReported) if any parameter so far was wrong: what is checked next may rest on it.
+    void requireSound() const;
+    bool isSound() const { return !failed_; }
+    /// Reports all parameters that were not asked for, then requireSound().
+    void finish();
 
   private:
     void add(Parameter parameter);
+    const Parameter* find(std::string_view name, const Words& types);
+    void note(const Parameter& parameter);
 
     std::string owner_;
+    Report* report_;
+    bool failed_ = false;
     std::vector<Parameter> parameters_;
     std::vector<std::string> supported_;  // "type name" in the order asked for
 };

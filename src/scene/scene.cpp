@@ -11,6 +11,11 @@ std::string SourceLocation::text() const {
     return line > 0 ? fmt::format("{}:{}:{}", file, line, column) : file;
 }
 
+const char* nameOf(PixelFilter::Kind kind) {
+    constexpr const char* kNames[] = {"box", "gaussian", "triangle", "mitchell", "sinc"};
+    return kNames[int(kind)];
+}
+
 dvec3 middleOf(const TriangleMesh& mesh) {
     dvec3 least = mesh.points.front(), greatest = least;
     for (const dvec3& point : mesh.points) {

@@ -7,6 +7,7 @@
 #include "base/notice.h"
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -69,17 +70,26 @@ struct Integrator {
     bool operator==(const Integrator&) const = default;
 };
 
-/// How samples about a pixel's centre weigh: a separable kernel, 0 beyond the radius.
+/// How samples about a pixel's centre weigh: a separable kernel, 0 beyond the radius r. Mitchell and Sinc are negative
+/// in places. With x the distance along an axis:
+///   Gaussian  exp(-falloff x^2) - exp(-falloff r^2)
+///   Triangle  r - x
+///   Mitchell  the cubic of Mitchell and Netravali 1988 with B and C at 2 x / r
+///   Sinc      sinc(x) sinc(x / tau), sinc(x) = sin(pi x) / (pi x)
 struct PixelFilter {
-    enum class Kind { Box, Gaussian };
+    enum class Kind { Box, Gaussian, Triangle, Mitchell, Sinc };
 
     Kind kind = Kind::Box;
-    dvec2 radius{0.5};     ///< in pixels, > 0, at most 8
-    double falloff = 2.0;  ///< Gaussian: exp(-falloff x^2) - exp(-falloff radius^2), 0.001 to 1000; pbrt v3's alpha,
-                           ///< v4's 1 / (2 sigma^2)
+    dvec2 radius{0.5};                    ///< in pixels, > 0, at most 8
+    double falloff = 2.0;                 ///< 0.001 to 1000; pbrt v3's alpha, v4's 1 / (2 sigma^2)
+    double b = 1.0 / 3.0, c = 1.0 / 3.0;  ///< 0 to 1
+    double tau = 3.0;                     ///< 1 to 100
 
     bool operator==(const PixelFilter&) const = default;
 };
+
+/// "box", "gaussian", ...: as the scene language calls it.
+const char* nameOf(PixelFilter::Kind kind);
 
 enum class Registration { Texel, Gridline };
 
@@ -158,11 +168,14 @@ struct HeightRamp {
 /// An image, read bilinearly and repeated. On a displaced sphere it lies as the heights do, row 0 in the north; on
 /// other shapes by pbrt's own (u, v), row 0 at v = 1.
 struct ImageMap {
-    std::string path;  ///< resolved against the scene file's folder
-    dvec3 scale{1.0};  ///< 0 or greater; the product is cut to [0, 1]
+    std::string path;                  ///< resolved against the scene file's folder
+    dvec3 scale{1.0};                  ///< 0 or greater; the product is cut to [0, 1]
+    double longitude_origin = -180.0;  ///< degrees at the image's left edge, on displaced spheres alone
     SourceLocation where;
 
-    bool operator==(const ImageMap& other) const { return path == other.path && scale == other.scale; }
+    bool operator==(const ImageMap& other) const {
+        return path == other.path && scale == other.scale && longitude_origin == other.longitude_origin;
+    }
 };
 
 /// Two colours by turns: `even` where floor(u_scale u) + floor(v_scale v) is even, (u, v) as the shape has them.
@@ -279,7 +292,9 @@ struct Scene {
     std::vector<Shape> shapes;          ///< in the file's order; never empty
     std::vector<Light> lights;          ///< in the file's order
     std::vector<std::string> included;  ///< the files that Include has read, as they were opened
-    Notices notices;                    ///< what the parser has to say of the text, in its order
+    /// By the path of a file that is not there: what its error adds, "; sought at a/b.png too; to get it: ...".
+    std::map<std::string, std::string> missing;
+    Notices notices;  ///< what the parser has to say of the text, in its order
 };
 
 }  // namespace dsphere

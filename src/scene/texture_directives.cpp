@@ -11,7 +11,11 @@ constexpr Range kScale{0.0, 1e6};  // a factor of a texture
 const Texture& textureNamed(Statement s, const Parameter& parameter) {
     const Token& name = stringValue(parameter);
     auto found = s.state.textures.find(name.text);
-    if (found == s.state.textures.end()) failAt(name.where, "undefined texture {}", described(name));
+    if (found == s.state.textures.end()) {
+        static const Texture unknown = ConstantColour{};
+        if (s.state.recovery.file_missing) return unknown;
+        failAt(name.where, "undefined texture {}", described(name));
+    }
     return found->second;
 }
 
@@ -25,24 +29,44 @@ HeightRamp heightRamp(Parameters& p) {
     return {.ramp = p.choice("ramp", names).value_or("terrain")};
 }
 
+// What pbrt's (u, v) mapping may say without moving the texture.
+void ignoreMapping(Parameters& p) {
+    p.ignoreWord("mapping", {"uv"});
+    for (const char* delta : {"udelta", "vdelta"}) p.ignoreWithin(delta, {0.0, 0.0}, "0");
+}
+
 ImageMap imageMap(Statement s, Parameters& p) {
     std::optional<Token> filename = p.string("filename");
     std::optional<double> scale = p.number("scale", kNotNegative);
+    std::optional<double> longitude_origin = p.number("lonorigin", kLongitudeOrigin);
     p.choice("wrap", {"repeat"});
+    ignoreMapping(p);
+    for (const char* factor : {"uscale", "vscale"}) p.ignoreWithin(factor, {1.0, 1.0}, "1");
+    // The samples of a pixel smooth the image.
+    p.ignore("trilinear", {"bool"});
+    p.ignore("maxanisotropy", {"float"});
+    p.ignoreWord("filter", {"bilinear", "trilinear", "ewa", "EWA"});
+    p.ignoreFlag("gamma", true, "since integers are decoded from sRGB");
+    p.ignoreWord("encoding", {"sRGB"});
+    p.ignoreFlag("invert", false, "since colours are taken as they are");
     p.finish();
     if (!filename) failAt(s.word.where, "Texture \"imagemap\" lacks \"string filename\"");
     if (filename->text.empty()) failAt(filename->where, "the image's name is empty");
-    return {s.source.resolve(filename->text), dvec3(scale.value_or(1.0)), filename->where};
+    return {resolvePath(s, filename->text), dvec3(scale.value_or(1.0)), longitude_origin.value_or(-180.0),
+            filename->where};
 }
 
 Checkerboard checkerboard(Statement s, Parameters& p) {
     Checkerboard board;
-    if (const Parameter* tex1 = p.take("tex1", {"rgb", "float", "texture"}))
-        board.even = constantValue(s, *tex1, kFraction);
-    if (const Parameter* tex2 = p.take("tex2", {"rgb", "float", "texture"}))
-        board.odd = constantValue(s, *tex2, kFraction);
+    const Words types = {"rgb", "float", "texture"};
+    const auto colour = [&](const Parameter& given) { return constantValue(s, given, kFraction); };
+    board.even = p.valueOr("tex1", types, board.even, colour);
+    board.odd = p.valueOr("tex2", types, board.odd, colour);
     board.u_scale = p.number("uscale", kChecks).value_or(board.u_scale);
     board.v_scale = p.number("vscale", kChecks).value_or(board.v_scale);
+    ignoreMapping(p);
+    p.ignoreWithin("dimension", {2.0, 2.0}, "2");
+    p.ignore("aamode", {"string"});
     return board;
 }
 
@@ -102,11 +126,12 @@ dvec3 constantValue(Statement s, const Parameter& parameter, const Range& range)
            described(stringValue(parameter)), parameter.name);
 }
 
-void texture(Statement s) {
-    Token name = s.source.lexer.takeString("a texture's name");
-    if (s.state.textures.contains(name.text)) failAt(name.where, "texture {} is defined twice", described(name));
+namespace {
+
+Texture readTexture(Statement s) {
     requireOneOf(s.source.lexer.takeString("a texture's type"), "texture type", {"color", "spectrum"});
-    auto [kind, p] = readNamed(s, "texture", {"constant", "heightramp", "imagemap", "checkerboard", "scale"});
+    auto [kind, p] = readNamed(s, "texture", {"constant", "heightramp", "imagemap", "checkerboard", "scale"},
+                               s.state.attributes.defaults.texture);
     Texture texture = ConstantColour{dvec3(1.0)};
     if (kind.text == "constant") {
         if (auto value = p.rgb("value", kFraction)) texture = ConstantColour{*value};
@@ -120,7 +145,21 @@ void texture(Statement s) {
         texture = scaled(s, p);
     }
     p.finish();
-    s.state.textures.emplace(name.text, texture);
+    return texture;
+}
+
+}  // namespace
+
+void texture(Statement s) {
+    Token name = s.source.lexer.takeString("a texture's name");
+    if (s.state.textures.contains(name.text)) failAt(name.where, "texture {} is defined twice", described(name));
+    requireRoomForName(s);
+    try {
+        s.state.textures.emplace(name.text, readTexture(s));
+    } catch (...) {
+        s.state.textures.emplace(name.text, ConstantColour{});  // its use is no error too
+        throw;
+    }
 }
 
 }  // namespace dsphere

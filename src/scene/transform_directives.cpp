@@ -1,21 +1,40 @@
 #include "scene/directives.h"
 #include "scene/transforms.h"
 
-#include <array>
-
 namespace dsphere {
 
 namespace {
 
+// A directive that stands where the number should is left for the parser to go on with.
+double takeNumber(Lexer& input) {
+    if (input.peek().is(Token::Kind::Malformed)) input.next();
+    const double number = numberOf(input.peek());
+    input.next();
+    return number;
+}
+
 dvec3 readTriple(Lexer& input) {
     dvec3 triple;
-    for (int i = 0; i < 3; ++i) triple[i] = numberOf(input.next());
+    for (int i = 0; i < 3; ++i) triple[i] = takeNumber(input);
     return triple;
+}
+
+// As in pbrt, the camera takes the transform that stands when it is met.
+void warnAfterCamera(Statement s) {
+    ParseState& state = s.state;
+    const auto camera = state.given.find("Camera");
+    if (state.part == Part::Options && camera != state.given.end() && !state.transformed)
+        state.report.warn(s.word.where,
+                          fmt::format("{} stands after Camera (at {}) and does not move it: the camera looks from the "
+                                      "origin along +z",
+                                      s.word.text, camera->second.text()));
+    state.transformed = true;
 }
 
 void setTransform(Statement s, const dmat4& ctm) {
     if (!isFinite(ctm)) failAt(s.word.where, "{} overflows the current transform", s.word.text);
     s.state.attributes.ctm = ctm;
+    warnAfterCamera(s);
 }
 
 // pbrt's order: the transform written last is applied to points first.
@@ -24,9 +43,10 @@ void multiply(Statement s, const dmat4& m) {
 }
 
 void requireBracket(Lexer& input, Token::Kind kind, std::string_view bracket) {
-    Token token = input.next();
-    if (!token.is(kind))
-        failAt(token.where, "expected {}: a matrix is 16 numbers in [ ], found {}", bracket, described(token));
+    if (!input.peek().is(kind) && !input.peek().is(Token::Kind::Malformed))
+        failAt(input.peek().where, "expected {}: a matrix is 16 numbers in [ ], found {}", bracket,
+               described(input.peek()));
+    input.next();
 }
 
 // 16 numbers, column by column: the translation is numbers 13 to 15.
@@ -34,7 +54,7 @@ dmat4 readMatrix(Statement s) {
     Lexer& input = s.source.lexer;
     requireBracket(input, Token::Kind::Open, "'['");
     dmat4 m;
-    for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = numberOf(input.next());
+    for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = takeNumber(input);
     requireBracket(input, Token::Kind::Close, "']'");
     if (m[0][3] != 0.0 || m[1][3] != 0.0 || m[2][3] != 0.0 || m[3][3] != 1.0)
         failAt(s.word.where, "{} is not affine; supported: numbers 4, 8 and 12 are 0 and number 16 is 1", s.word.text);
@@ -64,7 +84,7 @@ void scale(Statement s) {
 }
 
 void rotate(Statement s) {
-    double degrees = numberOf(s.source.lexer.next());
+    double degrees = takeNumber(s.source.lexer);
     std::optional<dvec3> axis = unitVector(readTriple(s.source.lexer));
     if (!axis) failAt(s.word.where, "the axis of Rotate is 0 0 0");
     multiply(s, rotationMatrix(degrees, *axis));
@@ -80,6 +100,36 @@ void transform(Statement s) {
 
 void concatTransform(Statement s) {
     multiply(s, readMatrix(s));
+}
+
+void coordinateSystem(Statement s) {
+    const Token name = s.source.lexer.takeString("a coordinate system's name");
+    requireRoomForName(s);
+    s.state.coordinate_systems[name.text] = s.state.attributes.ctm;
+}
+
+void coordSysTransform(Statement s) {
+    const Token name = s.source.lexer.takeString("a coordinate system's name");
+    const auto found = s.state.coordinate_systems.find(name.text);
+    if (found == s.state.coordinate_systems.end()) {
+        if (s.state.recovery.file_missing) throw AlreadyReported{};
+        failAt(name.where, "undefined coordinate system {}", described(name));
+    }
+    setTransform(s, found->second);
+}
+
+void activeTransform(Statement s) {
+    const Token which = s.source.lexer.next();
+    if (which.text == "StartTime" || which.text == "EndTime")
+        failAt(s.word.where, "ActiveTransform {}: motion is not supported; supported: All", which.text);
+    requireOneOf(which, "time of ActiveTransform", {"All"});
+    s.state.report.note(s.word.where, "ActiveTransform", "changes nothing here: nothing moves");
+}
+
+void transformTimes(Statement s) {
+    takeNumber(s.source.lexer);
+    takeNumber(s.source.lexer);
+    s.state.report.note(s.word.where, "TransformTimes", "changes nothing here: nothing moves");
 }
 
 }  // namespace dsphere

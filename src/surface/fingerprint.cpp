@@ -73,8 +73,8 @@ struct Walk {
         all(kind, depth, clamp, regularize, hide_distance);
     }
     void add(const PixelFilter& filter) {
-        const auto& [kind, radius, falloff] = filter;
-        all(kind, radius, falloff);
+        const auto& [kind, radius, falloff, b, c, tau] = filter;
+        all(kind, radius, falloff, b, c, tau);
     }
     void add(const Ripples& ripples) { all(ripples.u_frequency, ripples.v_frequency); }
     void add(const DisplacedSphere& sphere) {
@@ -94,7 +94,7 @@ struct Walk {
     }
     void add(const ConstantColour& constant) { add(constant.rgb); }
     void add(const HeightRamp& ramp) { all(ramp.ramp, ramp.scale); }
-    void add(const ImageMap& image) { add(image.scale); }
+    void add(const ImageMap& image) { all(image.scale, image.longitude_origin); }
     void add(const Checkerboard& board) {
         const auto& [even, odd, u, v] = board;
         all(even, odd, u, v);
@@ -138,7 +138,8 @@ struct Walk {
 
 std::uint64_t fingerprint(const Scene& scene, const SceneMaps& maps) {
     Walk walk;
-    const auto& [name, camera, film, sampler, integrator, pixel_filter, shapes, lights, included, notices] = scene;
+    const auto& [name, camera, film, sampler, integrator, pixel_filter, shapes, lights, included, missing, notices] =
+        scene;
     walk.all(camera, film, integrator, pixel_filter, shapes, lights);
     for (const auto& map : maps.maps) walk.add(*map);
     for (const auto& image : maps.images) walk.add(*image);

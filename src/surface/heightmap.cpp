@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/limits.h"
 #include "geo/readmap.h"
 #include "surface/blur.h"
 #include "surface/fill.h"
@@ -179,6 +180,10 @@ Relief makeRelief(const DisplacedSphere& shape, const Heightmap& map, const Sour
     relief.greatest_radius = relief.base + relief.scale * double(highest);
     if (!(relief.least_radius > 0.0)) refuseRadius(map, lowest, relief.least_radius, where);
     if (!std::isfinite(relief.greatest_radius)) refuseRadius(map, highest, relief.greatest_radius, where);
+    if (relief.greatest_radius > limits::kReach * shape.radius)
+        throwInvalid(
+            "{}: the heights reach a radius of {:.4g}, {:.4g} times the shape's own; supported: up to {} times",
+            where.text(), relief.greatest_radius, relief.greatest_radius / shape.radius, limits::kReach);
     return relief;
 }
 

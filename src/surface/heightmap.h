@@ -59,8 +59,8 @@ struct Relief {
     bool smooth_normals = false;                       ///< shading normals are the B-spline's, unlike the filter
 };
 
-/// Combines shape and map. Throws Error (InvalidInput), prefixed by `where`, when heightmin = heightmax or when r <= 0
-/// at some texel: names its column, row, latitude, longitude and the radius.
+/// Combines shape and map. Throws Error (InvalidInput), prefixed by `where`, when heightmin = heightmax, when r <= 0
+/// at some texel (names its column, row, latitude, longitude and the radius), or when r exceeds limits::kReach radii.
 Relief makeRelief(const DisplacedSphere& shape, const Heightmap& map, const SourceLocation& where);
 
 }  // namespace dsphere

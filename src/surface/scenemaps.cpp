@@ -1,9 +1,10 @@
 #include "surface/scenemaps.h"
 
+#include "base/errorlist.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "base/error.h"
+#include <set>
 
 namespace dsphere {
 
@@ -19,53 +20,114 @@ bool sameMap(const DisplacedSphere& a, const DisplacedSphere& b) {
            a.blur == b.blur && a.ripples == b.ripples && a.band == b.band && sameValue(a.nodata, b.nodata);
 }
 
-/// What `load` makes, its error prefixed by the place.
+/// What `load` makes of the file at `path`. Its error goes on with what the scene says of a missing file, prefixed by
+/// the place.
 template <typename Load>
-auto loadAt(const SourceLocation& where, Load load) {
+auto loadAt(const Scene& scene, const SourceLocation& where, const std::string& path, Load load) {
     try {
         return std::make_unique<decltype(load())>(load());
     } catch (const Error& error) {
-        if (where.line == 0) throw;  // it names the file itself
-        throw Error(error.code(), where.text() + ": " + error.what());
+        const auto missing = scene.missing.find(path);
+        const std::string more = missing == scene.missing.end() ? "" : missing->second;
+        // Without a line the place is the file, which the error names itself.
+        throw Error(error.code(), (where.line == 0 ? "" : where.text() + ": ") + error.what() + more);
     }
 }
 
-/// The index of the image in `images`, which is read when it is not among them.
-int imageIndex(SceneMaps& result, const std::string& path, const SourceLocation& where) {
-    const auto found = std::ranges::find_if(result.images, [&](const auto& image) { return image->path() == path; });
-    const int index = int(found - result.images.begin());
-    if (found == result.images.end()) result.images.push_back(loadAt(where, [&] { return loadColourMap(path); }));
-    return index;
-}
-
-void loadImages(SceneMaps& result, const Scene& scene) {
-    for (const Shape& shape : scene.shapes) {
-        const auto* texture = textureAs<ImageMap>(shape.material);
-        result.image_of_shape.push_back(texture ? imageIndex(result, texture->path, texture->where) : -1);
+/// Runs `load`; an error of the input goes into the list.
+template <typename Load>
+void gather(ErrorList& errors, Load load) {
+    try {
+        load();
+    } catch (const Error& error) {
+        if (error.code() != ExitCode::InvalidInput) throw;
+        errors.add(error.what());
     }
 }
 
-// pbrt v4's own images of light are square ones in the equal-area octahedral mapping: read as longitude and latitude
-// they would be garbled, silently.
-void loadLightImage(SceneMaps& result, const Scene& scene) {
-    for (const Light& light : scene.lights) {
-        const auto* infinite = std::get_if<InfiniteLight>(&light);
-        if (!infinite || infinite->map_path.empty()) continue;
-        result.light_image = imageIndex(result, infinite->map_path, infinite->where);
-        const ColourMap& image = *result.images[std::size_t(result.light_image)];
+/// Loads a scene's files, all of them: what is wrong with any is gathered.
+class Loader {
+  public:
+    explicit Loader(const Scene& scene) : scene_(scene) {}
+
+    SceneMaps load() {
+        for (const Shape& shape : scene_.shapes) {
+            result_.map_of_shape.push_back(-1);
+            result_.reliefs.push_back({});
+            gather(errors_, [&] { loadMap(shape); });
+        }
+        for (const Shape& shape : scene_.shapes) {
+            const auto* texture = textureAs<ImageMap>(shape.material);
+            result_.image_of_shape.push_back(-1);
+            gather(errors_, [&] {
+                if (texture) result_.image_of_shape.back() = imageIndex(texture->path, texture->where);
+            });
+        }
+        for (const Light& light : scene_.lights)
+            if (const auto* infinite = std::get_if<InfiniteLight>(&light))
+                gather(errors_, [&] { loadLightImage(*infinite); });
+        errors_.throwIfAny();
+        return std::move(result_);
+    }
+
+  private:
+    void loadMap(const Shape& shape) {
+        const auto* sphere = std::get_if<DisplacedSphere>(&shape.geometry);
+        if (!sphere) return;
+        const auto same = [&](const DisplacedSphere* owner) { return sameMap(*owner, *sphere); };
+        if (std::ranges::any_of(bad_maps_, same)) return;
+        const auto found = std::ranges::find_if(owners_, same);
+        const std::size_t index = std::size_t(found - owners_.begin());
+        if (found == owners_.end()) {
+            bad_maps_.push_back(sphere);
+            result_.maps.push_back(
+                loadAt(scene_, shape.where, sphere->map_path, [&] { return loadHeightmap(*sphere); }));
+            bad_maps_.pop_back();
+            owners_.push_back(sphere);
+        }
+        result_.map_of_shape.back() = int(index);
+        if (const auto scale = trueScaleOf(*sphere, *result_.maps[index]))
+            result_.maps[index]->notices.push_back(exaggerationNote(*scale, *result_.maps[index]));
+        result_.reliefs.back() = makeRelief(*sphere, *result_.maps[index], shape.where);
+    }
+
+    /// The index of the image in `images`, which is read when it is not among them; -1 if it was found bad before.
+    int imageIndex(const std::string& path, const SourceLocation& where) {
+        auto& images = result_.images;
+        const auto found = std::ranges::find_if(images, [&](const auto& image) { return image->path() == path; });
+        if (found != images.end()) return int(found - images.begin());
+        if (!tried_images_.insert(path).second) return -1;
+        images.push_back(loadAt(scene_, where, path, [&] { return loadColourMap(path); }));
+        return int(images.size()) - 1;
+    }
+
+    // pbrt v4's own images of light are square ones in the equal-area octahedral mapping: read as longitude and
+    // latitude they would be garbled, silently.
+    void loadLightImage(const InfiniteLight& infinite) {
+        if (infinite.map_path.empty()) return;
+        result_.light_image = imageIndex(infinite.map_path, infinite.where);
+        if (result_.light_image < 0) return;
+        const ColourMap& image = *result_.images[std::size_t(result_.light_image)];
         if (image.width() == image.height())
             throwInvalid(
                 "{}: {}: the image is square ({}x{}), as pbrt v4's equal-area maps are; supported: equirectangular "
                 "ones, longitude by latitude",
-                infinite->where.text(), image.path(), image.width(), image.height());
+                infinite.where.text(), image.path(), image.width(), image.height());
         const auto& values = image.raw().linear;
         const auto negative = std::ranges::find_if(values, [](float value) { return value < 0.0f; });
         if (negative != values.end())
-            throwInvalid("{}: {}: the light at column {}, row {} is {}; supported: at least 0", infinite->where.text(),
+            throwInvalid("{}: {}: the light at column {}, row {} is {}; supported: at least 0", infinite.where.text(),
                          image.path(), (negative - values.begin()) / 3 % image.width(),
                          (negative - values.begin()) / 3 / image.width(), *negative);
     }
-}
+
+    const Scene& scene_;
+    SceneMaps result_;
+    ErrorList errors_;
+    std::vector<const DisplacedSphere*> owners_;    // of the maps, by index
+    std::vector<const DisplacedSphere*> bad_maps_;  // those whose error is told already
+    std::set<std::string> tried_images_;
+};
 
 }  // namespace
 
@@ -93,29 +155,7 @@ std::vector<const ColourMap*> SceneMaps::imagePerShape() const {
 }
 
 SceneMaps loadSceneMaps(const Scene& scene) {
-    SceneMaps result;
-    std::vector<const DisplacedSphere*> owners;
-    for (const Shape& shape : scene.shapes) {
-        const auto* sphere = std::get_if<DisplacedSphere>(&shape.geometry);
-        if (!sphere) {
-            result.map_of_shape.push_back(-1);
-            result.reliefs.push_back({});
-            continue;
-        }
-        std::size_t index = 0;
-        while (index < owners.size() && !sameMap(*owners[index], *sphere)) ++index;
-        if (index == owners.size()) {
-            result.maps.push_back(loadAt(shape.where, [&] { return loadHeightmap(*sphere); }));
-            owners.push_back(sphere);
-        }
-        result.map_of_shape.push_back(int(index));
-        if (const auto scale = trueScaleOf(*sphere, *result.maps[index]))
-            result.maps[index]->notices.push_back(exaggerationNote(*scale, *result.maps[index]));
-        result.reliefs.push_back(makeRelief(*sphere, *result.maps[index], shape.where));
-    }
-    loadImages(result, scene);
-    loadLightImage(result, scene);
-    return result;
+    return Loader(scene).load();
 }
 
 }  // namespace dsphere

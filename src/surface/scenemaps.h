@@ -29,8 +29,9 @@ struct SceneMaps {
     const ColourMap* lightImage() const { return light_image < 0 ? nullptr : images[std::size_t(light_image)].get(); }
 };
 
-/// Loads every map and image of the scene. Errors as loadHeightmap, makeRelief and loadColourMap, prefixed by the place
-/// in the scene of the shape or the image's name; also for an infinite light's image that is square or negative.
+/// Loads every map and image of the scene; what is wrong with several comes in one error. Errors as loadHeightmap,
+/// makeRelief and loadColourMap, prefixed by the place in the scene of the shape or the image's name; also for an
+/// infinite light's image that is square or negative.
 SceneMaps loadSceneMaps(const Scene& scene);
 
 }  // namespace dsphere

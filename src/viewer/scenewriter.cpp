@@ -123,6 +123,7 @@ ColourText colourText(const Texture& texture, const char* parameter, const std::
                              parameter);
     if (const auto* image = std::get_if<ImageMap>(&texture)) {
         std::string words = fmt::format("\"imagemap\" \"string filename\" {}", relativeTo(folder, image->path));
+        if (image->longitude_origin != -180.0) appendNumber(words, "lonorigin", image->longitude_origin);
         const bool grey = image->scale == dvec3(image->scale.r);
         if (grey) words += fmt::format(" \"float scale\" {}", number(image->scale.r));
         return scaledTexture(name, words, grey ? dvec3(1.0) : image->scale, parameter);
@@ -222,10 +223,12 @@ std::string optionsText(const Scene& scene) {
                         scene.integrator.max_depth, scene.integrator.regularize ? " \"bool regularize\" true" : "");
     // v3's spelling: its alpha is the falloff itself.
     const PixelFilter& filter = scene.pixel_filter;
-    const bool gaussian = filter.kind == PixelFilter::Kind::Gaussian;
-    text += fmt::format("PixelFilter \"{}\" \"float xwidth\" {} \"float ywidth\" {}", gaussian ? "gaussian" : "box",
+    text += fmt::format("PixelFilter \"{}\" \"float xwidth\" {} \"float ywidth\" {}", nameOf(filter.kind),
                         number(filter.radius.x), number(filter.radius.y));
-    if (gaussian) appendNumber(text, "alpha", filter.falloff);
+    using Kind = PixelFilter::Kind;
+    if (filter.kind == Kind::Gaussian) appendNumber(text, "alpha", filter.falloff);
+    if (filter.kind == Kind::Mitchell) appendNumber(text, "B", filter.b), appendNumber(text, "C", filter.c);
+    if (filter.kind == Kind::Sinc) appendNumber(text, "tau", filter.tau);
     return text + "\n";
 }
 

@@ -56,7 +56,7 @@ TEST_F(LanguageTest, MistakesAreNamedByTheirPlace) {
     };
     for (const Mistake& mistake : {
              Mistake{"Integrator \"bdpt\"", "", "bad.pbrt:6:12: unknown integrator \"bdpt\""},
-             {"PixelFilter \"sinc\"", "", "bad.pbrt:6:13: unknown pixel filter \"sinc\""},
+             {"PixelFilter \"lanczos\"", "", "bad.pbrt:6:13: unknown pixel filter \"lanczos\""},
              {"", "Material \"glass\"", "bad.pbrt:12:10: unknown material \"glass\""},
              {"", "LightSource \"infinite\" \"string filename\" \"sky.pfm\"",
               "bad.pbrt:12:42: sky.pfm: the image is square"},

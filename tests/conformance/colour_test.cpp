@@ -14,7 +14,7 @@ void paint(World& world, RawColour raw, double scale = 1.0) {
     world.maps.images.push_back(std::make_unique<ColourMap>(std::move(raw), "random"));
     world.maps.image_of_shape.resize(world.scene.shapes.size(), -1);
     world.maps.image_of_shape.back() = int(world.maps.images.size()) - 1;
-    *textureOf(world.scene.shapes.back().material) = ImageMap{"random", dvec3(scale), {}};
+    *textureOf(world.scene.shapes.back().material) = ImageMap{"random", dvec3(scale), -180.0, {}};
 }
 
 World planet(double longitude_origin = -180.0) {

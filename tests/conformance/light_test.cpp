@@ -245,11 +245,19 @@ TEST_F(Lighting, OfMirrorsUnderDirectLight) {
     expectMeans(small(std::move(world), Integrator::Kind::DirectLighting, 4), 128, 128);
 }
 
-TEST_F(Lighting, WithTheGaussianFilter) {
-    World world = objects(all(kMatte));
-    world.scene.pixel_filter = {PixelFilter::Kind::Gaussian, dvec2(2.0, 1.5), 2.0};
-    world.addSun({1.0, 1.5, 1.2});
-    expectMeans(small(std::move(world), Integrator::Kind::DirectLighting, 1), 256, 512);
+TEST_F(Lighting, WithEachPixelFilter) {
+    using Kind = PixelFilter::Kind;
+    for (Kind kind : {Kind::Gaussian, Kind::Triangle, Kind::Mitchell, Kind::Sinc}) {
+        SCOPED_TRACE(nameOf(kind));
+        World world = objects(all(kMatte));
+        world.scene.pixel_filter.kind = kind;
+        world.scene.pixel_filter.radius = dvec2(2.0, 1.5);
+        world.addSun({1.0, 1.5, 1.2});
+        world = small(std::move(world), Integrator::Kind::DirectLighting, 1);
+        world.scene.film.width = 8;  // so that what lies beyond the picture's edges counts
+        world.scene.film.height = 6;
+        expectMeans(world, 4096, 8192);
+    }
 }
 
 /// In a sky of one radiance nothing stands out from it that loses no light.

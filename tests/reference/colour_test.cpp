@@ -18,10 +18,10 @@ ColourMap numbered() {
     return ColourMap(dsphere::test::lightOf(4, 2, light), "numbered");
 }
 
-double redAt(const Geometry& geometry, const dvec3& p, double scale = 1.0) {
+double redAt(const Geometry& geometry, const dvec3& p, double scale = 1.0, double longitude_origin = -180.0) {
     Shape shape;
     shape.geometry = geometry;
-    return imageColour(shape, {"numbered", dvec3(scale), {}}, numbered(), p).r;
+    return imageColour(shape, {"numbered", dvec3(scale), longitude_origin, {}}, numbered(), p).r;
 }
 
 dvec3 at(double longitude, double latitude) {
@@ -59,13 +59,13 @@ TEST(ImageColour, APlanetsPolesAreTheMeansOfTheirRows) {
 }
 
 // At longitude 0 the image's left edge: column 0 is centred at 45 degrees.
-TEST(ImageColour, LongitudeOriginMovesColoursAsHeights) {
+TEST(ImageColour, LongitudeOriginIsTheImagesOwn) {
     DisplacedSphere planet;
-    planet.longitude_origin = 0.0;
-    EXPECT_NEAR(redAt(planet, at(45, 45)), 0.0, kClose);
-    EXPECT_NEAR(redAt(planet, at(-135, 45)), 0.2, kClose);
-    planet.longitude_origin = -150.0;
-    EXPECT_NEAR(redAt(planet, at(-105, 45)), 0.0, kClose);
+    EXPECT_NEAR(redAt(planet, at(45, 45), 1.0, 0.0), 0.0, kClose);
+    EXPECT_NEAR(redAt(planet, at(-135, 45), 1.0, 0.0), 0.2, kClose);
+    EXPECT_NEAR(redAt(planet, at(-105, 45), 1.0, -150.0), 0.0, kClose);
+    planet.longitude_origin = 0.0;  // of the heights
+    EXPECT_NEAR(redAt(planet, at(-135, 45)), 0.0, kClose);
 }
 
 // u runs counterclockwise about +z from +x: column centres at 45, 135, 225 and 315 degrees. Row 0 is at +z.

@@ -127,10 +127,10 @@ TEST(Directives, ImageMaps) {
                             " Material \"diffuse\" \"texture reflectance\" \"t\" Shape \"sphere\"");
         return *textureAs<ImageMap>(scene.shapes[0].material);
     };
-    EXPECT_EQ(texture("\"string filename\" \"a.png\""), (ImageMap{"folder/a.png", dvec3(1.0), {}}));
+    EXPECT_EQ(texture("\"string filename\" \"a.png\""), (ImageMap{"folder/a.png", dvec3(1.0), -180.0, {}}));
     EXPECT_EQ(texture("\"string filename\" \"a.png\"").where.text(), "test.pbrt:1:64");
     EXPECT_EQ(texture("\"string filename\" \"/b.jpg\" \"float scale\" 2.5 \"string wrap\" \"repeat\""),
-              (ImageMap{"/b.jpg", dvec3(2.5), {}}));
+              (ImageMap{"/b.jpg", dvec3(2.5), -180.0, {}}));
 }
 
 TEST(Directives, NamedMaterials) {

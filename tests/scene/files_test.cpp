@@ -2,7 +2,10 @@
 
 #include "tests/scene/support.h"
 
-#include <iostream>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <sstream>
 
 namespace dsphere {
@@ -95,7 +98,36 @@ TEST(SceneFiles, DirectivesDoNotReachIntoAnInclude) {
     Folder folder;
     auto part = folder.write("part.pbrt", "Translate 1 2");
     auto path = folder.write("scene.pbrt", "Include \"part.pbrt\" 3 WorldBegin Shape \"sphere\"");
-    EXPECT_EQ(errorOfFile(path), part.string() + ":1:14: expected a number, found the end of the file");
+    EXPECT_EQ(errorOfFile(path),
+              part.string() + ":1:14: expected a number, found the end of the file\n" + path.string() +
+                  ":1:21: unknown directive \"3\"; supported: " + errorOf("3").substr(errorOf("3").find("Include")));
+}
+
+TEST(SceneFiles, PathsAreSoughtBesideTheFirstFileToo) {
+    Folder folder;
+    folder.write("parts/planet.pbrt",
+                 "# get: make maps\nShape \"displacedsphere\" \"string displacementmap\" \"maps/a.png\"\n");
+    const auto path = folder.write("scene.pbrt", "WorldBegin Include \"parts/planet.pbrt\"");
+    const auto map = [&] { return std::get<DisplacedSphere>(parseSceneFile(path).shapes[0].geometry).map_path; };
+    const std::string beside = (folder.path() / "parts/maps/a.png").string();
+    EXPECT_EQ(map(), beside);
+    EXPECT_EQ(parseSceneFile(path).missing.at(beside),
+              "; sought at " + (folder.path() / "maps/a.png").string() + " too; to get it: make maps");
+    folder.write("maps/a.png", "");
+    EXPECT_EQ(map(), (folder.path() / "maps/a.png").string());
+    folder.write("parts/maps/a.png", "");
+    EXPECT_EQ(map(), beside) << "beside the file that names it goes first";
+    EXPECT_TRUE(parseSceneFile(path).missing.empty());
+}
+
+TEST(SceneFiles, FifosAreRefusedAtOnce) {
+    Folder folder;
+    const std::filesystem::path fifo = folder.path() / "fifo";
+    ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+    EXPECT_NE(errorOfFile(fifo).find("is a FIFO; supported: regular files"), std::string::npos);
+    const auto path = folder.write("scene.pbrt", "\nInclude \"fifo\"");
+    EXPECT_EQ(errorOfFile(path).find(path.string() + ":2:9: "), 0u);
+    EXPECT_NE(errorOfFile("/dev/null").find("is a device"), std::string::npos);
 }
 
 TEST(SceneFiles, TheDocumentedExampleIsAScene) {
@@ -113,7 +145,7 @@ TEST(SceneFiles, TheDocumentedExampleIsAScene) {
 
 TEST(SceneFiles, ThePagesErrorIsTheParsersOwn) {
     EXPECT_NE(errorOf("WorldBegin Shape \"cone\"")
-                  .find("unknown shape \"cone\"; supported: displacedsphere, sphere, disk, trianglemesh"),
+                  .find("unknown shape \"cone\"; supported: displacedsphere, sphere, disk, trianglemesh, bilinearmesh"),
               std::string::npos);
 }
 
@@ -124,27 +156,33 @@ TEST(SceneFiles, TheAssetsAreScenes) {
     }
 }
 
-/// Feeds text to std::cin for its lifetime.
+/// Standard input is a file of that text for its lifetime.
 class StandardInput {
   public:
-    explicit StandardInput(const std::string& text) : text_(text), before_(std::cin.rdbuf(text_.rdbuf())) {
-        std::cin.clear();
+    explicit StandardInput(const std::filesystem::path& file) : before_(dup(STDIN_FILENO)) {
+        const int input = open(file.c_str(), O_RDONLY);
+        dup2(input, STDIN_FILENO);
+        close(input);
     }
-    ~StandardInput() { std::cin.rdbuf(before_); }
+    ~StandardInput() {
+        dup2(before_, STDIN_FILENO);
+        close(before_);
+    }
 
   private:
-    std::istringstream text_;
-    std::streambuf* before_;
+    int before_;
 };
 
 TEST(SceneFiles, DashIsStandardInput) {
+    Folder folder;
     {
-        StandardInput input("WorldBegin Shape \"displacedsphere\" \"string displacementmap\" \"a.png\"");
+        StandardInput input(
+            folder.write("a", "WorldBegin Shape \"displacedsphere\" \"string displacementmap\" \"a.png\""));
         Scene scene = parseSceneFile("-");
         EXPECT_EQ(scene.name, "-");
         EXPECT_EQ(std::get<DisplacedSphere>(scene.shapes[0].geometry).map_path, "a.png");
     }
-    StandardInput input("WorldBegin\nNonsense");
+    StandardInput input(folder.write("b", "WorldBegin\nNonsense"));
     EXPECT_EQ(errorOfFile("-").find("-:2:1: unknown directive \"Nonsense\""), 0u);
 }
 

@@ -119,7 +119,7 @@ TEST(CombinedTextures, ScaleFoldsIntoWhatItScales) {
               (Texture{HeightRamp{"grey", dvec3(.5, 1, 0)}}));
     EXPECT_EQ(
         textureOf(half + "Texture \"x\" \"color\" \"imagemap\" \"string filename\" \"a\" \"float scale\" 4 " + scale),
-        (Texture{ImageMap{"folder/a", dvec3(2, 4, 0), {}}}));
+        (Texture{ImageMap{"folder/a", dvec3(2, 4, 0), -180.0, {}}}));
     EXPECT_EQ(textureOf(half + "Texture \"x\" \"color\" \"checkerboard\" \"float tex2\" .5 " + scale),
               (Texture{Checkerboard{dvec3(.5, 1, 0), dvec3(.25, .5, 0)}}));
     EXPECT_EQ(textureOf(half + "Texture \"x\" \"color\" \"constant\" " + scale),

@@ -1,5 +1,6 @@
 // Whatever the bytes, a parse ends in a sound Scene or in Error (InvalidInput).
 
+#include "base/limits.h"
 #include "scene/transforms.h"
 #include "tests/scene/support.h"
 
@@ -116,9 +117,9 @@ TEST(Robustness, LongWordsMakeShortMessages) {
 
 TEST(Robustness, DeepBlocks) {
     std::string text = "WorldBegin ";
-    for (int i = 0; i < 100000; ++i) text += "AttributeBegin ";
+    for (std::size_t i = 0; i < limits::kBlockDepth; ++i) text += "AttributeBegin ";
     text += "Shape \"sphere\" ";
-    for (int i = 0; i < 100000; ++i) text += "AttributeEnd ";
+    for (std::size_t i = 0; i < limits::kBlockDepth; ++i) text += "AttributeEnd ";
     EXPECT_EQ(parse(text).shapes.size(), 1u);
 }
 

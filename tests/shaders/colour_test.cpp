@@ -15,24 +15,24 @@ namespace {
 
 struct Painted {
     Shape shape;
-    ImageMap texture{"random", dvec3(0.9), {}};
+    ImageMap texture{"random", dvec3(0.9), -180.0, {}};
     ColourMap image;
     layout::ObjectData object = {};
     Resources resources;
 
     Painted(const Geometry& geometry, RawColour raw) : image(std::move(raw), "random") {
         shape.geometry = geometry;
-        double longitude_origin = -180.0, inner = 0.0;
+        double inner = 0.0;
         object.kind = KIND_SPHERE;
         if (const auto* planet = std::get_if<DisplacedSphere>(&geometry)) {
             object.kind = KIND_DISPLACED;
-            longitude_origin = planet->longitude_origin.value_or(-180.0);
+            texture.longitude_origin = planet->longitude_origin.value_or(-180.0);
         } else if (const auto* disk = std::get_if<Disk>(&geometry)) {
             object.kind = KIND_DISK;
             inner = disk->inner_radius;
             object.inner_squared = float(inner * inner);
         }
-        const PackedCentres centres = packImage(object, image, longitude_origin, inner);
+        const PackedCentres centres = packImage(object, image, texture.longitude_origin, inner);
         object.image_centres_y = 2;
         resources.image = &image;
         resources.edges[2] = centres.columns;

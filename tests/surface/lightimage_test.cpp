@@ -37,7 +37,7 @@ TEST_F(LightImage, IsLoadedOnceBesideTheTextures) {
     EXPECT_EQ(maps.images.at(0)->texel(1, 0), dvec3(3.0));
     EXPECT_EQ(maps.image(0), nullptr);
     const std::string path = std::get<InfiniteLight>(scene.lights[1]).map_path;
-    scene.shapes[0].material = Plastic{ImageMap{path, dvec3(1.0), {}}};
+    scene.shapes[0].material = Plastic{ImageMap{path, dvec3(1.0), -180.0, {}}};
     maps = loadSceneMaps(scene);
     EXPECT_EQ(maps.images.size(), 1u);
     EXPECT_EQ(maps.light_image, 0);

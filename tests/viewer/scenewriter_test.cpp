@@ -35,7 +35,8 @@ TEST(SceneWriter, BringsEverythingBackBitForBit) {
         "LightSource \"distant\" \"point3 from\" [1.3 .7 -.2] \"rgb L\" [1 2 3] \"float scale\" .3\n"
         "LightSource \"point\" \"point3 from\" [1 2 .1] \"rgb I\" [5 4 3]\n"
         "Texture \"r\" \"spectrum\" \"heightramp\" \"string ramp\" \"viridis\"\n"
-        "Texture \"i\" \"spectrum\" \"imagemap\" \"string filename\" \"b.png\" \"float scale\" .9\n"
+        "Texture \"i\" \"spectrum\" \"imagemap\" \"string filename\" \"b.png\" \"float scale\" .9 \"float lonorigin\" "
+        "0\n"
         "Material \"matte\" \"texture Kd\" \"r\"\nRotate 33.3 1 2 3 Translate .1 .2 .3\n"
         "Shape \"displacedsphere\" \"string displacementmap\" \"deep/a \\\" b.png\" \"float heightscale\" .1\n"
         "  \"float midlevel\" .5 \"float heightmin\" -3 \"float heightmax\" 9.1 \"string registration\" \"gridline\"\n"
@@ -74,7 +75,7 @@ TEST(SceneWriter, MaterialsLightsAndMeshes) {
         Material "plastic" "texture Kd" "s" "rgb Ks" [.3 .2 .1]
         Shape "sphere" "float radius" .3)");
     expectRoundTrip(R"(Integrator "directlighting" "integer maxdepth" 0
-        PixelFilter "box" "float xwidth" 1
+        PixelFilter "sinc" "float xwidth" 3 "float tau" 2.5
         WorldBegin
         LightSource "infinite"
         Texture "c" "color" "checkerboard" "rgb tex1" [.1 .2 .3] "float tex2" .7 "float uscale" 12 "float vscale" -6
@@ -86,6 +87,11 @@ TEST(SceneWriter, MaterialsLightsAndMeshes) {
         Texture "s" "color" "scale" "texture tex1" "r" "rgb tex2" [.1 .5 .9]
         Material "plastic" "texture Kd" "s"
         Shape "displacedsphere")");
+}
+
+TEST(SceneWriter, PixelFilters) {
+    for (const char* filter : {"\"box\" \"float xwidth\" 1", "\"triangle\"", "\"mitchell\" \"float B\" .2"})
+        expectRoundTrip(std::string("PixelFilter ") + filter + "\nWorldBegin Shape \"sphere\"");
 }
 
 TEST(SceneWriter, OrthographicCamera) {
