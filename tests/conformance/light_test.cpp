@@ -256,7 +256,9 @@ TEST_F(Lighting, WithEachPixelFilter) {
         world = small(std::move(world), Integrator::Kind::DirectLighting, 1);
         world.scene.film.width = 8;  // so that what lies beyond the picture's edges counts
         world.scene.film.height = 6;
-        expectMeans(world, 4096, 8192);
+        // Negative weights double the error of the reference's mean, so it takes more samples to know it to 1 %.
+        const bool signed_weights = kind == Kind::Mitchell || kind == Kind::Sinc;
+        expectMeans(world, 4096, signed_weights ? 40960 : 8192);
     }
 }
 
