@@ -61,6 +61,7 @@ struct Layout {
     int samples = 1;                       ///< a texel, with alpha
     bool grey = true;                      ///< else RGB
     bool alpha = false;                    ///< the sample after grey or RGB is alpha
+    std::vector<float> palette;            ///< the greys of an 8-bit palette's 256 entries, 0 to 255; empty: none
     bool separate = false, tiled = false;  ///< separate: each sample in blocks of its own
     std::uint64_t packing = 1;             ///< the most that a stored byte unpacks to
     std::int64_t block_width = 0, block_height = 0, across = 0, down = 0;
@@ -91,13 +92,34 @@ Number fieldOf(TIFF* tiff, std::uint32_t tag, Number otherwise) {
     return TIFFGetFieldDefaulted(tiff, tag, &value) ? value : otherwise;
 }
 
+/// TIFF 6.0, section 5: 16-bit colours; some writers store 8-bit ones.
+std::vector<float> greyPalette(const InputFile& file, TIFF* tiff, const Layout& layout) {
+    std::uint16_t *red = nullptr, *green = nullptr, *blue = nullptr;
+    if (layout.kind->bits != 8 || layout.kind->format != SAMPLEFORMAT_UINT || layout.samples != 1 ||
+        !TIFFGetField(tiff, TIFFTAG_COLORMAP, &red, &green, &blue))
+        file.invalid("TIFF: it has a palette of {} samples of {} bits a texel; expected one sample of 8 bits",
+                     layout.samples, layout.kind->bits);
+    std::vector<float> greys;
+    const float scale = *std::max_element(red, red + 256) > 255 ? 257.0f : 1.0f;
+    for (int k = 0; k < 256; ++k) {
+        if (red[k] != green[k] || red[k] != blue[k])
+            file.invalid(
+                "TIFF: its palette holds colours, not heights: entry {} is R {}, G {}, B {}; expected grey or RGB "
+                "values, or a palette of greys",
+                k, red[k], green[k], blue[k]);
+        greys.push_back(float(red[k]) / scale);
+    }
+    return greys;
+}
+
 void setColours(const InputFile& file, TIFF* tiff, Layout& layout) {
     layout.samples = fieldOf<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
     layout.grey = layout.samples < 3;
     const int guess = layout.grey ? PHOTOMETRIC_MINISBLACK : PHOTOMETRIC_RGB;
     const int photometric = fieldOf<std::uint16_t>(tiff, TIFFTAG_PHOTOMETRIC, std::uint16_t(guess));
-    if (photometric == PHOTOMETRIC_PALETTE) file.invalid("TIFF: it has a palette, expected grey or RGB values");
-    const bool grey = photometric == PHOTOMETRIC_MINISBLACK || photometric == PHOTOMETRIC_MINISWHITE;
+    if (photometric == PHOTOMETRIC_PALETTE) layout.palette = greyPalette(file, tiff, layout);
+    const bool grey =
+        !layout.palette.empty() || photometric == PHOTOMETRIC_MINISBLACK || photometric == PHOTOMETRIC_MINISWHITE;
     if ((!grey && photometric != PHOTOMETRIC_RGB) || grey != layout.grey || layout.samples < 1 || layout.samples > 4)
         file.invalid(
             "TIFF: {} samples a texel of photometric interpretation {}; expected grey (0 or 1) of 1 or 2 samples or "
@@ -233,6 +255,7 @@ void readRows(TiffSource& source, TIFF* tiff, const Layout& layout, const Use& u
 std::string typeOf(const Layout& layout) {
     std::string type = layout.kind->name;
     if (!layout.grey) type.insert(type.rfind(' '), " colour");
+    if (!layout.palette.empty()) type += " with a palette";
     return layout.alpha ? type + " with alpha" : type;
 }
 
@@ -255,13 +278,22 @@ void readPage(InputFile& file, Start start) {
 class Heights {
   public:
     Heights(const Layout& layout, RawMap& map)
-        : kind_(*layout.kind), plain_(layout.grey && !layout.alpha), map_(map), alpha_(layout.kind->full_scale) {
+        : kind_(*layout.kind),
+          plain_(layout.grey && !layout.alpha),
+          palette_(layout.palette),
+          map_(map),
+          alpha_(layout.kind->full_scale) {
         for (auto& plane : planes_) plane.resize(plain_ ? 0 : std::size_t(layout.block_width));
     }
 
     void put(std::int64_t column, std::int64_t row, Row texels, std::size_t count) {
         float* out = &map_.samples[std::size_t(row * map_.width + column)];
-        if (plain_) return kind_.toFloats(texels.colours[0], texels.step, out, count);
+        if (plain_) {
+            kind_.toFloats(texels.colours[0], texels.step, out, count);
+            if (!palette_.empty())
+                std::transform(out, out + count, out, [&](float entry) { return palette_[std::size_t(entry)]; });
+            return;
+        }
         for (std::size_t c = 0; c < 3; ++c) kind_.toFloats(texels.colours[c], texels.step, planes_[c].data(), count);
         if (texels.alpha) kind_.toFloats(texels.alpha, texels.step, planes_[3].data(), count);
         colours_.startRow();
@@ -279,6 +311,7 @@ class Heights {
   private:
     const Kind& kind_;
     bool plain_;
+    std::vector<float> palette_;
     RawMap& map_;
     std::array<std::vector<float>, 4> planes_;  ///< of a run: red, green, blue, alpha
     ColourCensus colours_;
@@ -310,6 +343,7 @@ RawColour readTiffColour(InputFile& file) {
     std::vector<float> plane, values;
     readPage(file, [&](const Layout& layout) -> Use {
         const Kind& kind = *layout.kind;
+        if (!layout.palette.empty()) file.invalid("TIFF: it has a palette, expected grey or RGB values");
         if (kind.format == SAMPLEFORMAT_INT)
             file.invalid("{}: expected an image of unsigned integers or floats", kind.name);
         sink.emplace(int(layout.width), int(layout.height),

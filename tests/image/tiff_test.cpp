@@ -174,13 +174,30 @@ TEST(Tiff, ReadsTheFirstPage) {
     EXPECT_EQ(readRawMap(path).samples, (std::vector<float>{5, 6}));
 }
 
+TEST(Tiff, ReadsAPaletteOfGreys) {
+    const std::vector<std::uint8_t> entries{0, 1, 2, 1};
+    for (const int unit : {257, 1}) {  // 16-bit colours, and the 8-bit ones that some writers store
+        TiffForm form;
+        form.photometric = PHOTOMETRIC_PALETTE;
+        form.grey = {std::uint16_t(9 * unit), std::uint16_t(200 * unit), std::uint16_t(7 * unit)};
+        const TempFolder folder;
+        const RawMap map = readRawMap(folder.write("map.tif", tiffFile(form, 2, 2, entries)));
+        EXPECT_EQ(map.samples, (std::vector<float>{9, 200, 7, 200}));
+        EXPECT_EQ(map.full_scale, 255.0);
+        EXPECT_EQ(map.type, "8-bit TIFF with a palette");
+    }
+}
+
 TEST(Tiff, RefusesOtherKinds) {
     TiffForm form;
     const std::vector<std::uint8_t> bytes(64, 1);
     form.photometric = PHOTOMETRIC_MASK;
     EXPECT_TRUE(holds(refusalOf(tiffFile(form, 2, 2, bytes)), "photometric interpretation 4"));
     form.photometric = PHOTOMETRIC_PALETTE;
-    EXPECT_TRUE(holds(refusalOf(tiffFile(form, 2, 2, bytes)), "it has a palette"));
+    form.red = {0, 65535};
+    EXPECT_TRUE(holds(refusalOf(tiffFile(form, 2, 2, bytes)), "entry 1 is R 65535, G 0, B 0"));
+    EXPECT_TRUE(holds(refusalOf(tiffFile(form, 2, 2, std::vector<std::uint16_t>(4))), "of 16 bits a texel"));
+    form.red = {};
     form.photometric = PHOTOMETRIC_RGB;
     EXPECT_TRUE(holds(refusalOf(tiffFile(form, 2, 2, bytes)), "1 samples a texel"));
     form.photometric = PHOTOMETRIC_MINISBLACK;

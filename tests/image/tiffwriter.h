@@ -22,6 +22,8 @@ struct TiffForm {
     int tile_width = 0, tile_height = 0;  ///< 0: strips
     int rows_per_strip = 3;
     int format = 0;  ///< 0: what the sample's type says
+    std::vector<std::uint16_t> red = {},
+                               grey = {};  ///< of a palette's entries; grey is green and blue, and red if unset
 };
 
 template <typename Sample>
@@ -38,9 +40,12 @@ void setTiffFields(TIFF* tiff, const TiffForm& form, int width, int height) {
     TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, form.planar);
     TIFFSetField(tiff, TIFFTAG_COMPRESSION, form.compression);
     TIFFSetField(tiff, TIFFTAG_ORIENTATION, form.orientation);
-    const std::vector<std::uint16_t> ramp(std::size_t(1) << 8 * std::min<std::size_t>(2, sizeof(Sample)));
-    if (form.photometric == PHOTOMETRIC_PALETTE)
-        TIFFSetField(tiff, TIFFTAG_COLORMAP, ramp.data(), ramp.data(), ramp.data());
+    if (form.photometric == PHOTOMETRIC_PALETTE) {
+        std::vector<std::uint16_t> grey = form.grey, red = form.red.empty() ? form.grey : form.red;
+        for (auto* entries : {&grey, &red})
+            entries->resize(std::size_t(1) << 8 * std::min<std::size_t>(2, sizeof(Sample)));
+        TIFFSetField(tiff, TIFFTAG_COLORMAP, red.data(), grey.data(), grey.data());
+    }
     if (form.samples % 2 == 0) {
         const std::uint16_t alpha = EXTRASAMPLE_UNASSALPHA;
         TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &alpha);
