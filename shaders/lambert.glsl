@@ -38,3 +38,16 @@ vec3 directLight(const SurfacePoint point, const vec3 albedo, const uint lit) {
         if ((lit & (1u << k)) != 0u) sum += lightFrom(lights[k], point);
     return albedo * sum / kPi;
 }
+
+// The nearest hit, and its light if that is wanted.
+Gathered gatherDirect(const Segment segment) {
+    Gathered result = nothingGathered();
+    result.point = nearestHit(segment);
+    result.searches.doubtful = result.point.doubtful;
+    if (kWantsLight && result.point.hit && !result.searches.doubtful) {
+        result.albedo = albedoOf(result.point);
+        result.lit = kShadows == 0 ? ~0u : visibleLights(result.point, result.searches);
+        result.colour = directLight(result.point, result.albedo, result.lit);
+    }
+    return result;
+}

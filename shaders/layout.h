@@ -30,11 +30,13 @@ using uint = std::uint32_t;
 // rgba32f: sine and cosine of each cell's west (north) edge, then what their rounding left; the same of the centres of
 // images' texels (disk: their distances).
 #define BINDING_EDGES 9
-#define BINDING_IMAGES 10  // r32ui array: the colour images' texels
-#define BINDING_NODES 11   // rgba32f array: a spline's value, slopes east and south, and twist at the nodes
-#define BINDING_FILM 12    // r32ui array: one layer a plane (probe.comp: the rays)
-#define BINDING_HITS 13    // probe.comp: the answers
-#define BINDING_RETRY 13   // render.comp: the pixels that FILTER leaves to FULL
+#define BINDING_IMAGES 10   // r32ui array: the colour images' texels
+#define BINDING_NODES 11    // rgba32f array: a spline's value, slopes east and south, and twist at the nodes
+#define BINDING_FILM 12     // r32ui array: one layer a plane (probe.comp: the rays)
+#define BINDING_HITS 13     // probe.comp: the answers
+#define BINDING_RETRY 13    // render.comp, query.comp: the pixels or rays that FILTER leaves to FULL
+#define BINDING_ANSWERS 14  // query.comp: a QueryHit per ray
+#define BINDING_LOOKS 15    // query.comp: a QueryLook per ray, if PLANE_R or PLANE_U is asked for
 
 // ONE_PLANET knows what SPEC_OBJECT_COUNT, SPEC_KINDS and SPEC_ONLY_ would tell.
 #define SPEC_MARCHER 0
@@ -271,7 +273,7 @@ struct RetryHead {
     uint groups[3], count;
 };
 
-// A pixel of the list: x and y in 16 bits each, and SurfacePoint::clear of its camera ray.
+// A pixel of the list: x and y in 16 bits each, and SurfacePoint::clear of its camera ray. query.comp: a ray's index.
 struct RetryPixel {
     uint pixel;
     float clear;
@@ -292,7 +294,40 @@ struct ProbeHit {
     uint steps, pad0, pad1;
 };
 
+struct QueryParams {
+    uint count;  // of the rays
+    uint first;  // index of the first of them among all rays that were ever asked about: it chooses sample numbers
+    uint seed, pad0;
+};
+
+// A ray of query.comp in the object space of one object, units of R: its point nearest the centre and its unit
+// direction, each a row and its _lo row. It begins and ends at these distances from that point; both are finite.
+struct QueryRay {
+    vec4 point;      // .w: begin
+    vec4 point_lo;   // .w: end
+    vec4 direction;  // .w: 1 for a secondary ray, else 0
+    vec4 direction_lo;
+};
+
+// Its answer. flags: bit 0: hit, 1: inside, 2: the step limit ended the march; the rest: 1 + the object's index.
+struct QueryHit {
+    float px, py, pz;  // that object's space, units of R
+    uint flags;
+    float nx, ny, nz;  // world, unit
+    uint lit;
+};
+
+struct QueryLook {
+    float red, green, blue;  // direct light
+    float u, v;              // the shape's own
+    float pad0, pad1, pad2;
+};
+
 #ifdef __cplusplus
+static_assert(sizeof(QueryParams) == 16);
+static_assert(sizeof(QueryRay) == 64);
+static_assert(sizeof(QueryHit) == 32);
+static_assert(sizeof(QueryLook) == 32);
 static_assert(sizeof(ProbeRay) == 80);
 static_assert(sizeof(ProbeHit) == 48);
 static_assert(sizeof(ObjectData) == 26 * 16 + 24 * 4);

@@ -21,13 +21,10 @@ const bool kWantsLight = (kPlanes & (kColourPlanes | 7u << PLANE_ALBEDO_R | 1u <
 #else
 #include "lambert.glsl"
 #endif
+#include "retry.glsl"
 
 layout(local_size_x = GROUP_SIZE_X, local_size_y = GROUP_SIZE_Y) in;
 layout(binding = BINDING_FILM, r32ui) uniform uimage2DArray film;
-layout(std430, binding = BINDING_RETRY) buffer Retry {
-    RetryHead retry;
-    RetryPixel retry_pixels[];
-};
 
 bool wants(const int plane) {
     return (kPlanes & (1u << plane)) != 0u;
@@ -83,9 +80,6 @@ void putGeometry(const ivec2 pixel, const SurfacePoint point) {
     put(pixel, PLANE_FLAGS, (point.inside ? 1u : 0u) | (point.exhausted ? 2u : 0u));
 }
 
-// Retried pixels of a workgroup.
-const uint kRetryGroup = uint(GROUP_SIZE_X * GROUP_SIZE_Y) / kRetryStride;
-
 // A pixel of the film that an invocation is to do, if it `exists`.
 struct Task {
     ivec2 pixel;
@@ -102,14 +96,8 @@ const int kTasks = 1;
 
 #if MARCH_WITH == MARCH_FULL
 Task findTask(const int n) {
-    uint group = gl_WorkGroupID.y * RETRY_ROW + gl_WorkGroupID.x;
-    uint index = group * kRetryGroup + gl_LocalInvocationIndex / kRetryStride;
     Task task;
-    task.exists = gl_LocalInvocationIndex % kRetryStride == 0u && index < retry.count;
-    RetryPixel found;
-    found.pixel = 0u;
-    found.clear = 0.0;
-    if (task.exists) found = retry_pixels[index];
+    RetryPixel found = findRetry(task.exists);
     task.pixel = ivec2(found.pixel & 0xffffu, found.pixel >> 16);
     task.clear = found.clear;
     return task;
@@ -130,13 +118,7 @@ Task findTask(const int n) {
 #endif
 
 void leaveForRetry(const ivec2 pixel, const float clear) {
-    uint place = atomicAdd(retry.count, 1u);
-    retry_pixels[place].pixel = uint(pixel.x) | uint(pixel.y) << 16;
-    retry_pixels[place].clear = clear;
-    uint group = place / kRetryGroup;
-    bool opens_group = place % kRetryGroup == 0u;
-    bool in_first_row = group < RETRY_ROW;
-    if (opens_group && (in_first_row || group % RETRY_ROW == 0u)) atomicAdd(retry.groups[in_first_row ? 0 : 1], 1u);
+    leaveForRetry(uint(pixel.x) | uint(pixel.y) << 16, clear);
 }
 
 // Film planes of a pixel whose ray, or another that it needs, is in doubt are left to the other precision.
@@ -220,14 +202,7 @@ void main() {
     ivec2 raster = rasterOf(task);
     vec2 jitter = vec2(0.0);
     if (kWantsColour && sample_index >= 0) jitter = samplePosition(raster.x, raster.y, sample_index, params.seed);
-    Gathered result = nothingGathered();
-    result.point = nearestHit(cameraSegment(vec2(raster), jitter, task.clear));
-    result.searches.doubtful = result.point.doubtful;
-    if (kWantsLight && result.point.hit && !result.searches.doubtful) {
-        result.albedo = albedoOf(result.point);
-        result.lit = kShadows == 0 ? ~0u : visibleLights(result.point, result.searches);
-        result.colour = directLight(result.point, result.albedo, result.lit);
-    }
+    Gathered result = gatherDirect(cameraSegment(vec2(raster), jitter, task.clear));
     finish(task, result, sample_index);
 }
 #endif

@@ -95,12 +95,16 @@ MapData mapOf(const int k, const int kinds, const int level) {
     return maps[level * MAX_OBJECTS + (meansMain(kinds) ? kMainObject : k)];
 }
 
-// Where a ray starts: at the camera, through a place of the picture, or on a surface.
+// Where a ray starts: it is the camera's, or one of a list, or starts on a surface.
 struct Segment {
-    vec2 raster, jitter;
-    float clear;  // of a camera's ray with a scene's only object: up to this s nothing is met
+#ifdef WITH_RAYS
+    uint index;  // in the list
+#else
+    vec2 raster, jitter;  // through a place of the picture
+#endif
+    float clear;  // of a first ray with a scene's only object: up to this s nothing is met
 #ifdef WITH_PATHS
-    bool camera;
+    bool camera;        // or of the list
     int object, level;  // that it starts on, and of whose detail
     vec3 start;         // P', in that object's space
     vec3 from_first;    // P, world, from object 0's centre
@@ -108,10 +112,9 @@ struct Segment {
 #endif
 };
 
-Segment cameraSegment(const vec2 raster, const vec2 jitter, const float clear) {
+// A ray that starts on no surface, but for where it runs.
+Segment firstSegment(const float clear) {
     Segment segment;
-    segment.raster = raster;
-    segment.jitter = jitter;
     segment.clear = clear;
 #ifdef WITH_PATHS
     segment.camera = true;
@@ -124,22 +127,29 @@ Segment cameraSegment(const vec2 raster, const vec2 jitter, const float clear) {
     return segment;
 }
 
+// firstRay(), firstTowards(), firstDirection() and firstStart() of such a ray.
+#ifdef WITH_RAYS
+#include "listedray.glsl"
+#else
+#include "cameraray.glsl"
+#endif
+
 // P' of object `from` in the space of object k.
 vec3 startFor(const int k, const ObjectData object, const int from, const vec3 start) {
     if (kObjectCount == 1 || k == from) return start;
     return objectFromWorldPoint(object, worldFromObjectPoint(objects[from], start));
 }
 
-Ray segmentRay(const Segment segment, const int k, const ObjectData object, const vec2 pixel) {
+Ray segmentRay(const Segment segment, const int k, const ObjectData object) {
 #ifdef WITH_PATHS
     if (!segment.camera)
         return secondaryRay(startFor(k, object, segment.object, segment.start),
                             objectFromWorldVector(object, segment.direction), false);
 #endif
-    return cameraRay(object, pixel, segment.jitter);
+    return firstRay(segment, k, object);
 }
 
-// A retried camera ray starts where the filter's certainty ended.
+// A retried first ray starts where the filter's certainty ended.
 void startClear(inout Ray ray, const Segment segment) {
 #if MARCH_WITH == MARCH_FULL
     if (kObjectCount == 1 && segment.clear > ray.s_min) {
@@ -157,11 +167,11 @@ int segmentLevel(const Segment segment, const int k, const ObjectData object, co
     return levelFor(k, object, ray);
 }
 
-vec3 towardsHit(const Segment segment, const ObjectData object, const vec3 p, const vec3 from_first, const vec2 pixel) {
+vec3 towardsHit(const Segment segment, const int k, const ObjectData object, const vec3 p, const vec3 from_first) {
 #ifdef WITH_PATHS
     if (!segment.camera) return from_first - segment.from_first;
 #endif
-    return fromRayStart(object, p, pixel + segment.jitter);
+    return firstTowards(segment, k, object, p);
 }
 
 // World, unit.
@@ -169,9 +179,7 @@ vec3 segmentDirection(const Segment segment) {
 #ifdef WITH_PATHS
     if (!segment.camera) return segment.direction;
 #endif
-    ObjectData object = first_object;
-    Ray ray = cameraRay(object, segment.raster - vec2(object.anchor_x, object.anchor_y), segment.jitter);
-    return normalize(fromCentre(object, ray.d));
+    return firstDirection(segment);
 }
 
 // World, from object 0's centre.
@@ -179,9 +187,7 @@ vec3 segmentStart(const Segment segment) {
 #ifdef WITH_PATHS
     if (!segment.camera) return segment.from_first;
 #endif
-    ObjectData object = first_object;
-    vec2 pixel = segment.raster + segment.jitter - vec2(object.anchor_x, object.anchor_y);
-    return pixel.x * object.start_x.xyz + pixel.y * object.start_y.xyz - object.from_start.xyz;
+    return firstStart(segment);
 }
 
 // A bit an object: displaced spheres that a ray may meet. The loop that marches through them has a turn for each that
@@ -237,8 +243,7 @@ Candidates displacedNear(const vec3 start, const vec3 direction) {
 // Keeps object k's hit, if it is of the kinds meant, and the nearest so far.
 void considerObject(inout SurfacePoint best, const int k, const Segment segment, const int kinds) {
     ObjectData object = objectOf(k, kinds);
-    vec2 pixel = segment.raster - vec2(object.anchor_x, object.anchor_y);
-    Ray ray = segmentRay(segment, k, object, pixel);
+    Ray ray = segmentRay(segment, k, object);
     int level = segmentLevel(segment, k, object, ray);
     startClear(ray, segment);  // after the level, which goes by where the ray enters the shell
     ObjectHit hit = hitObject(object, mapOf(k, kinds, level), ray, kinds);
@@ -247,7 +252,7 @@ void considerObject(inout SurfacePoint best, const int k, const Segment segment,
     best.doubtful = best.doubtful || hit.doubtful;
     if (kObjectCount == 1) best.clear = hit.clear;
     vec3 from_first = fromCentre(object, hit.p) + object.from_first.xyz;
-    vec3 towards = towardsHit(segment, object, hit.p, from_first, pixel);
+    vec3 towards = towardsHit(segment, k, object, hit.p, from_first);
     float t = hit.inside ? 0.0 : length(towards);
     if (hit.hit && (kObjectCount == 1 || isNearer(best, t, towards, from_first))) {
         best.hit = true;

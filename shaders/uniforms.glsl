@@ -7,9 +7,14 @@
 const int kMainObject = kObjectCount == 1 || kOnlyDisplaced < 0 ? 0 : kOnlyDisplaced;
 const int kPlainObject = kOnlyPlain < 0 ? 0 : kOnlyPlain;
 
-layout(push_constant) uniform Params { RenderParams pushed; };
+#ifdef WITH_RAYS
+#define Pushed QueryParams
+#else
+#define Pushed RenderParams
+#endif
+layout(push_constant) uniform Params { Pushed pushed; };
 
-RenderParams params;
+Pushed params;
 ObjectData first_object;  // whose centre stands for the world's origin
 ObjectData main_object;   // the scene's only object, or the only displaced one
 MapData main_map;         // its, finest level

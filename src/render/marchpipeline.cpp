@@ -48,6 +48,7 @@ gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& t
     bindings.insert(bindings.end(), BINDING_FILM - BINDING_HEIGHTS, Binding::StorageImage);
     bindings.push_back(shader == Shader::Render ? Binding::StorageImage : Binding::StorageBuffer);
     bindings.push_back(Binding::StorageBuffer);
+    if (shader == Shader::Query) bindings.insert(bindings.end(), 2, Binding::StorageBuffer);
     std::array<std::uint32_t, SPEC_COUNT> specialization = {};
     specialization[SPEC_MARCHER] = std::uint32_t(method.marcher);
     specialization[SPEC_OBJECT_COUNT] = traits.objects;
@@ -77,9 +78,14 @@ gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& t
     specialization[SPEC_FILTER] = std::uint32_t(paths.filter);
     specialization[SPEC_RADIUS_X] = std::bit_cast<std::uint32_t>(paths.radius_x);
     specialization[SPEC_RADIUS_Y] = std::bit_cast<std::uint32_t>(paths.radius_y);
-    std::uint32_t push_bytes = shader == Shader::Render ? sizeof(layout::RenderParams) : 0;
-    return gpu::ComputePipeline(device, spirv, bindings, specialization, push_bytes,
-                                shader == Shader::Render ? "render" : "probe");
+    struct Kind {
+        std::uint32_t push_bytes;
+        const char* name;
+    };
+    constexpr Kind kKinds[] = {
+        {sizeof(layout::RenderParams), "render"}, {0, "probe"}, {sizeof(layout::QueryParams), "query"}};
+    const Kind& kind = kKinds[std::size_t(shader)];
+    return gpu::ComputePipeline(device, spirv, bindings, specialization, kind.push_bytes, kind.name);
 }
 
 }  // namespace dsphere

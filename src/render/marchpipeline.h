@@ -9,7 +9,7 @@
 
 namespace dsphere {
 
-enum class Shader { Render, Probe };
+enum class Shader { Render, Probe, Query };
 
 /// A CPU: few invocations share their instructions, and its driver makes machine code at the first dispatch; else there
 /// are invocations to spare.
@@ -24,7 +24,7 @@ int turnsOf(const gpu::Device& device, const SceneTraits& traits, const MarchMet
 
 /// A pipeline of a shader (one of its MARCH_ variants) that marches such a scene, specialised to what the scene
 /// holds: its bindings are DeviceScene::resources(), then the film and the list of pixels to retry (Render) or the
-/// buffers of rays and hits (Probe).
+/// buffers of rays and hits (Probe), or those of rays, rays to retry, answers and looks (Query).
 gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& traits, float stride,
                                        std::span<const std::uint32_t> spirv, Shader shader, const MarchMethod& method,
                                        std::uint32_t planes);

@@ -36,12 +36,6 @@ dmat4 translated(dmat4 m, const dvec3& by) {
     return m;
 }
 
-// A mesh lies about its own centre on the device.
-dmat4 worldFromDevice(const Shape& shape) {
-    const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry);
-    return mesh ? translated(shape.world_from_object, middleOf(*mesh)) : shape.world_from_object;
-}
-
 dvec3 centreOf(const Shape& shape) {
     return transformPoint(worldFromDevice(shape), dvec3(0.0));
 }
@@ -240,6 +234,11 @@ void requireLimits(const Scene& scene) {
 }
 
 }  // namespace
+
+dmat4 worldFromDevice(const Shape& shape) {
+    const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry);
+    return mesh ? translated(shape.world_from_object, middleOf(*mesh)) : shape.world_from_object;
+}
 
 void packCamera(PackedScene& packed, const Scene& scene) {
     Raster raster = makeRaster(scene.camera, scene.film);

@@ -49,6 +49,9 @@ struct PackedScene {
     SceneTraits traits;
 };
 
+/// From a shape's space on the device, in object units, to the world: a mesh lies about its own middle there.
+dmat4 worldFromDevice(const Shape& shape);
+
 /// Error (InvalidInput) with more than MAX_OBJECTS shapes, MAX_LIGHTS lights, MAX_TRIANGLES triangles, MAX_MARCHES rays
 /// a pixel, or MAX_DEPTH reflections.
 PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels = Levels::Finest);

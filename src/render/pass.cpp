@@ -2,6 +2,7 @@
 
 #include "gpu/device.h"
 #include "render/devicefilm.h"
+#include "render/variants.h"
 #include "shaders/planet_filter.spv.h"
 #include "shaders/planet_filter_curved.spv.h"
 #include "shaders/planet_filter_paths.spv.h"
@@ -28,13 +29,9 @@ namespace dsphere {
 
 namespace {
 
-using Spirv = std::span<const std::uint32_t>;
-
 std::uint32_t groups(int pixels, int group) {
     return std::uint32_t((pixels + group - 1) / group);
 }
-
-constexpr layout::RetryHead kEmptyList = {.groups = {0, 1, 1}, .count = 0};
 
 std::uint64_t listBytes(const gpu::StorageImage& film) {
     std::uint64_t pixels = std::min(std::uint64_t(film.width()) * film.height(), Pass::kMostPixels);
@@ -47,22 +44,6 @@ std::vector<gpu::Resource> bindAll(const DeviceScene& scene, const gpu::StorageI
     resources.push_back(&list);
     return resources;
 }
-
-/// One shader's variants, from the leanest on.
-struct Variants {
-    Spirv lean, curved, paths;
-
-    Spirv of(const SceneTraits& traits) const {
-        return traits.needsPaths() ? paths : (traits.curved() ? curved : lean);
-    }
-};
-
-/// One for any scene, one for a planet alone.
-struct Shaders {
-    Variants any, planet;
-
-    Spirv of(const SceneTraits& traits) const { return (traits.onePlanet() ? planet : any).of(traits); }
-};
 
 const Shaders kFilter = {{kSpirv_render_filter, kSpirv_render_filter_curved, kSpirv_render_filter_paths},
                          {kSpirv_planet_filter, kSpirv_planet_filter_curved, kSpirv_planet_filter_paths}};
@@ -128,7 +109,7 @@ void Pass::warmUp() {
         batch_.push(layout::RenderParams{});
         batch_.dispatch(1, 1, 1);
     };
-    batch_.write(retry_list_, &kEmptyList, sizeof(kEmptyList));
+    batch_.write(retry_list_, &kEmptyRetryList, sizeof(kEmptyRetryList));
     dispatchNothing(pipelines_.first());
     batch_.submit();
     const gpu::ComputePipeline* full = pipelines_.full();
@@ -139,7 +120,7 @@ void Pass::warmUp() {
 
 double Pass::run(std::span<const layout::RenderParams> tiles) {
     if (tiles.empty()) return 0.0;
-    batch_.write(retry_list_, &kEmptyList, sizeof(kEmptyList));
+    batch_.write(retry_list_, &kEmptyRetryList, sizeof(kEmptyRetryList));
     batch_.bind(pipelines_.first(), set_);
     for (const layout::RenderParams& tile : tiles) {
         batch_.push(tile);

@@ -1,0 +1,30 @@
+// The list of what the filter leaves to full precision.
+layout(std430, binding = BINDING_RETRY) buffer Retry {
+    RetryHead retry;
+    RetryPixel retry_pixels[];
+};
+
+// Entries that a workgroup does.
+const uint kRetryGroup = uint(GROUP_SIZE_X * GROUP_SIZE_Y) / kRetryStride;
+
+// The invocation's entry, if it `exists`.
+RetryPixel findRetry(out bool exists) {
+    uint group = gl_WorkGroupID.y * RETRY_ROW + gl_WorkGroupID.x;
+    uint index = group * kRetryGroup + gl_LocalInvocationIndex / kRetryStride;
+    exists = gl_LocalInvocationIndex % kRetryStride == 0u && index < retry.count;
+    RetryPixel found;
+    found.pixel = 0u;
+    found.clear = 0.0;
+    if (exists) found = retry_pixels[index];
+    return found;
+}
+
+void leaveForRetry(const uint pixel, const float clear) {
+    uint place = atomicAdd(retry.count, 1u);
+    retry_pixels[place].pixel = pixel;
+    retry_pixels[place].clear = clear;
+    uint group = place / kRetryGroup;
+    bool opens_group = place % kRetryGroup == 0u;
+    bool in_first_row = group < RETRY_ROW;
+    if (opens_group && (in_first_row || group % RETRY_ROW == 0u)) atomicAdd(retry.groups[in_first_row ? 0 : 1], 1u);
+}

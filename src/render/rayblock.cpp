@@ -1,0 +1,125 @@
+#include "render/rayblock.h"
+
+#include "render/marchpipeline.h"
+#include "render/narrow.h"
+#include "render/variants.h"
+#include "shaders/query_filter.spv.h"
+#include "shaders/query_filter_curved.spv.h"
+#include "shaders/query_filter_paths.spv.h"
+#include "shaders/query_full.spv.h"
+#include "shaders/query_full_curved.spv.h"
+#include "shaders/query_full_paths.spv.h"
+#include "shaders/query_planet_filter.spv.h"
+#include "shaders/query_planet_filter_curved.spv.h"
+#include "shaders/query_planet_filter_paths.spv.h"
+#include "shaders/query_planet_full.spv.h"
+#include "shaders/query_planet_full_curved.spv.h"
+#include "shaders/query_planet_full_paths.spv.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace dsphere {
+
+namespace {
+
+const Shaders kFilter = {
+    {kSpirv_query_filter, kSpirv_query_filter_curved, kSpirv_query_filter_paths},
+    {kSpirv_query_planet_filter, kSpirv_query_planet_filter_curved, kSpirv_query_planet_filter_paths}};
+const Shaders kFull = {{kSpirv_query_full, kSpirv_query_full_curved, kSpirv_query_full_paths},
+                       {kSpirv_query_planet_full, kSpirv_query_planet_full_curved, kSpirv_query_planet_full_paths}};
+
+constexpr std::uint32_t kGroup = GROUP_SIZE_X * GROUP_SIZE_Y;
+// In R. Squares of greater lengths would overflow in floats, and nothing that a float says of the surface lies farther
+// off.
+constexpr double kFarthest = 1e15;
+
+std::uint32_t planesOf(const RayWishes& wishes) {
+    return (wishes.lit ? 1u << PLANE_LIT : 0u) | (wishes.colour ? 7u << PLANE_R : 0u) |
+           (wishes.place ? 1u << PLANE_U : 0u);
+}
+
+// In the host's memory: rays and answers are written and read once each.
+gpu::Buffer hostBuffer(gpu::Device& device, std::uint64_t bytes, const char* name) {
+    return gpu::Buffer(device, gpu::Buffer::Usage::Storage, gpu::Buffer::Place::Host, bytes, name);
+}
+
+std::vector<gpu::Resource> bindAll(const DeviceScene& scene, std::initializer_list<const gpu::Buffer*> buffers) {
+    std::vector<gpu::Resource> resources = scene.resources();
+    resources.insert(resources.end(), buffers.begin(), buffers.end());
+    return resources;
+}
+
+template <typename T>
+std::span<T> itemsOf(const gpu::Buffer& buffer) {
+    return {reinterpret_cast<T*>(buffer.mapped().data()), buffer.size() / sizeof(T)};
+}
+
+}  // namespace
+
+RayPipelines::RayPipelines(gpu::Device& device, const SceneTraits& traits, const RayWishes& wishes) {
+    const auto make = [&device, traits, mask = planesOf(wishes)](const Shaders& shaders) {
+        return makeMarchPipeline(device, traits, 1.0f, shaders.of(traits), Shader::Query, Marcher::Exact, mask);
+    };
+    if (traits.kinds & 1u << KIND_DISPLACED)
+        full_ = std::async(std::launch::async, [make] { return make(kFull); }).share();
+    first_ = make(kFilter);
+}
+
+layout::QueryRay packRay(const dvec3& point, const dvec3& direction, double begin, double end, bool secondary) {
+    layout::QueryRay ray;
+    ray.point = narrow(point, std::clamp(begin, -kFarthest, kFarthest));
+    ray.point_lo = narrow(point - dvec3(ray.point), std::clamp(end, -kFarthest, kFarthest));
+    ray.direction = narrow(direction, secondary ? 1.0 : 0.0);
+    ray.direction_lo = narrow(direction - dvec3(ray.direction), 0.0);
+    return ray;
+}
+
+RayBlock::RayBlock(gpu::Device& device, const RayPipelines& pipelines, const DeviceScene& scene,
+                   const RayWishes& wishes, std::uint32_t objects, std::uint32_t capacity)
+    : pipelines_(pipelines),
+      rays_(hostBuffer(device, std::uint64_t(capacity) * objects * sizeof(layout::QueryRay), "rays")),
+      hits_(hostBuffer(device, capacity * sizeof(layout::QueryHit), "answers")),
+      looks_(hostBuffer(device, (wishes.looks() ? capacity : 1u) * sizeof(layout::QueryLook), "looks")),
+      retry_list_(device, gpu::Buffer::Usage::Storage, gpu::Buffer::Place::Device,
+                  sizeof(layout::RetryHead) + capacity * sizeof(layout::RetryPixel), "rays to retry"),
+      head_(device, gpu::Buffer::Usage::Staging, gpu::Buffer::Place::Host, sizeof(layout::RetryHead), "retry head"),
+      set_(device, pipelines.first(), bindAll(scene, {&rays_, &retry_list_, &hits_, &looks_}), "query"),
+      batch_(device, "query") {}
+
+std::span<layout::QueryRay> RayBlock::rays() {
+    return itemsOf<layout::QueryRay>(rays_);
+}
+
+std::span<const layout::QueryHit> RayBlock::hits() const {
+    return itemsOf<const layout::QueryHit>(hits_);
+}
+
+std::span<const layout::QueryLook> RayBlock::looks() const {
+    return itemsOf<const layout::QueryLook>(looks_);
+}
+
+void RayBlock::trace(std::uint32_t count, std::uint32_t first, std::uint32_t seed) {
+    if (count == 0) return;
+    rays_.flush();
+    const layout::QueryParams params = {.count = count, .first = first, .seed = seed, .pad0 = 0};
+    batch_.write(retry_list_, &kEmptyRetryList, sizeof(kEmptyRetryList));
+    batch_.bind(pipelines_.first(), set_);
+    batch_.push(params);
+    batch_.dispatch((count + kGroup - 1) / kGroup, 1, 1);
+    if (const gpu::ComputePipeline* full = pipelines_.full()) {
+        batch_.bind(*full, set_);
+        batch_.push(params);
+        batch_.dispatchIndirect(retry_list_);
+    }
+    batch_.copy(retry_list_, head_, sizeof(layout::RetryHead));
+    batch_.submit();
+    head_.invalidate();
+    hits_.invalidate();
+    looks_.invalidate();
+    layout::RetryHead head;
+    std::memcpy(&head, head_.mapped().data(), sizeof(head));
+    retried_ = head.count;
+}
+
+}  // namespace dsphere

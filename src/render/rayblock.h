@@ -1,0 +1,62 @@
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/commands.h"
+#include "gpu/pipeline.h"
+#include "render/devicescene.h"
+
+#include <future>
+#include <optional>
+#include <span>
+
+namespace dsphere {
+
+/// What is asked about a hit besides where it is and its normal.
+struct RayWishes {
+    bool lit = false, colour = false, place = false;  ///< place: the shape's own (u, v)
+
+    bool looks() const { return colour || place; }
+};
+
+/// The pipelines that trace lists of rays through one scene: MARCH_FILTER, and MARCH_FULL for the rays that it leaves.
+class RayPipelines {
+  public:
+    RayPipelines(gpu::Device& device, const SceneTraits& traits, const RayWishes& wishes);
+
+    const gpu::ComputePipeline& first() const { return *first_; }
+    /// Null: there is none, the scene has no displaced sphere.
+    const gpu::ComputePipeline* full() const { return full_.valid() ? &full_.get() : nullptr; }
+
+  private:
+    std::optional<gpu::ComputePipeline> first_;
+    std::shared_future<gpu::ComputePipeline> full_;
+};
+
+/// Packs a ray of an object's space in units of R, in double. The direction is unit, `point` the ray's point nearest
+/// the centre; the ray begins and ends at these distances from there, which may be infinite.
+layout::QueryRay packRay(const dvec3& point, const dvec3& direction, double begin, double end, bool secondary);
+
+/// Room on the device for some rays and their answers, and the trace of them. All that is given must outlive it.
+class RayBlock {
+  public:
+    RayBlock(gpu::Device& device, const RayPipelines& pipelines, const DeviceScene& scene, const RayWishes& wishes,
+             std::uint32_t objects, std::uint32_t capacity);
+
+    /// One per ray and object: ray i in the space of object k stands at i * objects + k. To be filled before trace().
+    std::span<layout::QueryRay> rays();
+    /// Traces the first `count` rays. `first`: the index of the first of them among all rays, see QueryParams.
+    void trace(std::uint32_t count, std::uint32_t first, std::uint32_t seed);
+    /// Of the last trace.
+    std::span<const layout::QueryHit> hits() const;
+    std::span<const layout::QueryLook> looks() const;
+    std::uint32_t retried() const { return retried_; }
+
+  private:
+    const RayPipelines& pipelines_;
+    gpu::Buffer rays_, hits_, looks_, retry_list_, head_;
+    gpu::BindingSet set_;
+    gpu::Batch batch_;
+    std::uint32_t retried_ = 0;
+};
+
+}  // namespace dsphere
