@@ -10,18 +10,6 @@ namespace dsphere {
 
 namespace {
 
-/// Values of the four basis functions at t in [0, 1], and their slopes.
-struct Weights {
-    std::array<double, 4> value, slope;
-
-    explicit Weights(double t) {
-        double r = 1.0 - t;
-        value = {r * r * r / 6.0, (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0,
-                 (4.0 - 6.0 * r * r + 3.0 * r * r * r) / 6.0, t * t * t / 6.0};
-        slope = {-r * r / 2.0, (3.0 * t * t - 4.0 * t) / 2.0, (4.0 * r - 3.0 * r * r) / 2.0, t * t / 2.0};
-    }
-};
-
 /// One row of control points: of the map, or beyond its ends.
 class ControlRow {
   public:
@@ -52,7 +40,7 @@ struct Columns {
 
     Columns(const Heightmap& map, double map_row) : value(std::size_t(map.width)), slope(std::size_t(map.width)) {
         int first = std::clamp(int(std::floor(map_row)), 0, std::max(map.height - 1, 0));
-        Weights weights(map_row - first);
+        SplineWeights weights(map_row - first);
         for (int k = 0; k < 4; ++k) {
             ControlRow row(map, first - 1 + k);
             for (int i = 0; i < map.width; ++i) {
@@ -64,6 +52,13 @@ struct Columns {
 };
 
 }  // namespace
+
+SplineWeights::SplineWeights(double t) {
+    const double r = 1.0 - t;
+    value = {r * r * r / 6.0, (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0, (4.0 - 6.0 * r * r + 3.0 * r * r * r) / 6.0,
+             t * t * t / 6.0};
+    slope = {-r * r / 2.0, (3.0 * t * t - 4.0 * t) / 2.0, (4.0 * r - 3.0 * r * r) / 2.0, t * t / 2.0};
+}
 
 std::vector<SplineNodes::Node> SplineNodes::row(int j) const {
     const Heightmap& map = nodes_.map();
@@ -78,7 +73,7 @@ std::vector<SplineNodes::Node> SplineNodes::row(int j) const {
     for (int i = 0; i < nodes_.width(); ++i) {
         double column = nodes_.mapColumn(i);
         int first = int(std::floor(column));
-        Weights weights(column - first);
+        SplineWeights weights(column - first);
         double value = 0.0, east = 0.0, south = 0.0, twist = 0.0;
         for (int k = 0; k < 4; ++k) {
             std::size_t at = std::size_t(((first - 1 + k) % map.width + map.width) % map.width), w = std::size_t(k);

@@ -6,6 +6,13 @@
 
 namespace dsphere {
 
+/// The four basis functions of the uniform cubic B-spline at t in [0, 1], and their slopes.
+struct SplineWeights {
+    std::array<double, 4> value, slope;
+
+    explicit SplineWeights(double t);
+};
+
 /// The uniform bicubic B-spline whose control points are a map's values, at the nodes of a grid: within a cell of the
 /// grid it is a bicubic polynomial, which the value, the two slopes and the twist at the cell's four corners determine.
 /// Columns wrap. Rows of texel registration are clamped, and in the caps heights run linearly in latitude from the pole
