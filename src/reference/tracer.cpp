@@ -72,11 +72,13 @@ WorldHit Tracer::worldHit(int shape, const FirstHit& hit, const dvec3& direction
             .smooth_normal = smooth_normal};
 }
 
-WorldHit Tracer::firstHit(const dvec3& origin, const dvec3& direction) const {
+WorldHit Tracer::firstHit(const dvec3& origin, const dvec3& direction, double t_max) const {
     FirstHit nearest;
     int shape = -1;
     for (int k = 0; k < int(scene_->shapes.size()); ++k) {
-        const FirstHit hit = hitShape(k, objectRay(k, origin, direction));
+        Ray ray = objectRay(k, origin, direction);
+        ray.t_max = t_max;
+        const FirstHit hit = hitShape(k, ray);
         if (!hit.hit || (nearest.hit && hit.t() >= nearest.t())) continue;
         nearest = hit;
         shape = k;

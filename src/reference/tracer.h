@@ -54,8 +54,9 @@ class Tracer {
     Tracer(const Scene& scene, std::vector<const Heightmap*> maps, std::vector<Relief> reliefs,
            std::vector<const ColourMap*> images = {}, const ColourMap* light_image = nullptr);
 
-    /// The nearest hit over all shapes of a camera ray; t in units of |direction|.
-    WorldHit firstHit(const dvec3& origin, const dvec3& direction) const;
+    /// The nearest hit over all shapes of a camera ray that ends at t_max; t in units of |direction|.
+    WorldHit firstHit(const dvec3& origin, const dvec3& direction,
+                      double t_max = std::numeric_limits<double>::infinity()) const;
 
     /// The nearest hit of a ray that leaves a shape, whose start is given in the shape's object space (see beside), by
     /// the rules of secondary rays.

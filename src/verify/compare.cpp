@@ -99,18 +99,23 @@ bool Comparison::tangent(const WorldRay& ray, const Answer& answer, int true_sha
         };
         if (shape == answer.shape) addRadial(answer.object_position, -1.0);
         if (shape == true_shape) addRadial(tracer_.hitShape(shape, object_ray).position, 1.0);
+        if (ray.rounded_ends) {
+            const double along = contract::kSideways * unit(shape) / glm::length(object_ray.direction);
+            offsets.push_back(along * ray.direction);
+            offsets.push_back(-along * ray.direction);
+        }
         for (const dvec3& offset : offsets) {
-            WorldRay moved{ray.origin + offset, ray.direction};
+            WorldRay moved{ray.origin + offset, ray.direction, ray.t_max, ray.rounded_ends};
             double share;
-            WorldHit truth = tracer_.firstHit(moved.origin, moved.direction);
+            WorldHit truth = tracer_.firstHit(moved.origin, moved.direction, moved.t_max);
             if (judge(moved, answer, truth, share) == Judgement::Right) return true;
         }
     }
     return false;
 }
 
-void Comparison::checkHit(Report& report, std::uint64_t index, const WorldRay& ray, const Answer& answer) const {
-    WorldHit truth = tracer_.firstHit(ray.origin, ray.direction);
+WorldHit Comparison::checkHit(Report& report, std::uint64_t index, const WorldRay& ray, const Answer& answer) const {
+    WorldHit truth = tracer_.firstHit(ray.origin, ray.direction, ray.t_max);
     double share = 0.0;
     Judgement judgement = judge(ray, answer, truth, share);
     ++report.rays;
@@ -126,6 +131,7 @@ void Comparison::checkHit(Report& report, std::uint64_t index, const WorldRay& r
         if (judgement == Judgement::AlongRay) ++report.along_ray_faults;
     }
     if (answer.hit && !answer.inside) checkSurface(report, ray, answer);
+    return truth;
 }
 
 double Comparison::surfaceDistance(const Answer& answer) const {

@@ -4,6 +4,7 @@
 #include "surface/scenemaps.h"
 #include "verify/report.h"
 
+#include <limits>
 #include <optional>
 
 namespace dsphere::verify {
@@ -28,6 +29,8 @@ struct LightAnswer {
 
 struct WorldRay {
     dvec3 origin, direction;  ///< direction is unit
+    double t_max = std::numeric_limits<double>::infinity();
+    bool rounded_ends = false;  ///< where it begins and ends is as uncertain as where it passes
 };
 
 /// Holds a device's answers against the reference, one ray at a time. Thread-safe; reports go to the caller's.
@@ -40,8 +43,8 @@ class Comparison {
     /// Scene and maps must outlive it.
     Comparison(const Scene& scene, const SceneMaps& maps, Tolerance tolerance = Tolerance::Contract);
 
-    /// Verdict, root, distance to the surface and normal of one ray.
-    void checkHit(Report& report, std::uint64_t index, const WorldRay& ray, const Answer& answer) const;
+    /// Verdict, root, distance to the surface and normal of one ray. Returns the reference's answer.
+    reference::WorldHit checkHit(Report& report, std::uint64_t index, const WorldRay& ray, const Answer& answer) const;
     /// Shadow verdicts, then the colour at the device's own P, N and verdicts.
     void checkLight(Report& report, std::uint64_t index, const WorldRay& ray, const Answer& answer,
                     const LightAnswer& light) const;
