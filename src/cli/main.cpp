@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
     addView(app, action);
     addRender(app, action);
     addVerify(app, action);
+    addQuery(app, action);
     addBench(app, action);
     addDiff(app, action);
     addInfo(app, action);
