@@ -50,6 +50,7 @@ void addView(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
 void addVerify(CLI::App& app, Action& action);
 void addQuery(CLI::App& app, Action& action);
+void addBake(CLI::App& app, Action& action);
 void addDevices(CLI::App& app, Action& action);
 void addDiff(CLI::App& app, Action& action);
 void addInfo(CLI::App& app, Action& action);

@@ -33,6 +33,7 @@ int run(int argc, char** argv) {
     addRender(app, action);
     addVerify(app, action);
     addQuery(app, action);
+    addBake(app, action);
     addBench(app, action);
     addDiff(app, action);
     addInfo(app, action);

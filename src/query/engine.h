@@ -30,7 +30,7 @@ class Engine {
   public:
     struct Options {
         Frame frame = Frame::World;
-        RayWishes wishes;
+        RayWishes wishes = {};
         bool whole = true;       ///< false: status and id alone are wanted
         bool secondary = false;  ///< by the rules of shadow rays: they leave a surface, and a start inside is no hit
     };

@@ -1,5 +1,6 @@
 // dsphere query, and the recipes of docs/query.md.
 
+#include "image/picture.h"
 #include "tests/cli/fixture.h"
 
 #include <nlohmann/json.hpp>
@@ -14,7 +15,7 @@ class QueryCli : public CliTest {
   protected:
     QueryCli() {
         folder_.write("rays.csv",
-                      "ox,oy,oz,dx,dy,dz\n0,0,4,0,0,-1\n0,0,4,0,0,1\n0,0,4,0,0,0\n0,0,0,1,0,0\n1.5,0,4,0,0,-2\n");
+                      "ox,oy,oz,dx,dy,dz\n0,0,4,0,0,-1\n0,0,4,0,0,1\n0,0,4,0,0,0\n0.5,0,0,1,0,0\n1.5,0.1,4,0,0,-2\n");
     }
 
     Outcome query(std::vector<std::string> more) {
@@ -28,7 +29,7 @@ TEST_F(QueryCli, AnswersComeInTheRaysOrder) {
     Outcome outcome = query({"rays.csv", "-o", "-", "--fields", "status,id,u,lit", "--quiet"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
-    EXPECT_EQ(outcome.out, "status,id,u,lit\n1,1,0.5,1\n0,0,nan,0\n255,0,nan,0\n2,1,0.75,1\n1,2,1,1\n");
+    EXPECT_EQ(outcome.out, "status,id,u,lit\n1,1,0.5,1\n0,0,nan,0\n255,0,nan,0\n2,1,0.75,0\n1,2,0.25,1\n");
     outcome = query({"rays.csv", "-o", "-", "--any", "--quiet"});
     EXPECT_EQ(outcome.out, "status\n1\n0\n255\n2\n1\n");
 }
@@ -71,7 +72,7 @@ TEST_F(QueryCli, MistakesAreNamed) {
     expectFailure(query({"short.npy", "-o", "hits.csv"}), 3, "ends within its NumPy header");
     expectFailure(query({"none.npy", "-o", "hits.csv"}), 1, "none.npy");
     expectFailure(query({"rays.csv", "-o", "hits.txt"}), 2, ".npy or .csv");
-    expectFailure(query({"rays.csv", "-o", "rays.csv"}), 2, "would replace an input");
+    expectFailure(query({"rays.csv", "-o", "rays.csv"}), 2, "would replace");
     expectFailure(query({"rays.csv", "-o", "hits.csv", "--fields", "x"}), 2, "unknown field 'x'");
     expectFailure(query({"rays.csv", "-o", "hits.csv", "--fields", "t_low"}), 2, "needs --certify");
     expectFailure(query({"rays.csv", "-o", "hits.csv", "--any", "--fields", "t"}), 2, "the status alone");
@@ -92,6 +93,35 @@ TEST_F(QueryCli, CtrlCLeavesTheOldAnswers) {
     EXPECT_EQ(run(launch).code, 130);
     EXPECT_EQ(readBytes(path("hits.csv")), "old");
     EXPECT_EQ(folder_.entries(), 5u);
+}
+
+TEST_F(QueryCli, BakeWritesPlanesByName) {
+    const Outcome outcome = run({"bake", "planet.pbrt", "-o", "maps.exr", "--quantities", "height,lit,normal,sky",
+                                 "--sun", "0,0", "--sun=90,10,2", "--samples", "8", "--resolution", "32,16"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Image image = readExr(path("maps.exr"));
+    EXPECT_EQ(image.data.width(), 32);
+    for (const char* name : {"height", "lit.0", "lit.1", "normal.X", "normal.Y", "normal.Z", "sky"})
+        EXPECT_TRUE(image.find(name)) << name;
+    EXPECT_GT(image.at("lit.0").floats()[8 * 32 + 16], 0.0f) << "the sun stands above it";
+    EXPECT_EQ(run({"bake", "map.pgm", "-o", "slope.png", "--quantities", "slope", "--quiet"}).code, 0);
+    EXPECT_TRUE(exists("slope.png"));
+}
+
+TEST_F(QueryCli, BakesMistakesAreNamed) {
+    const auto bake = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"bake", "planet.pbrt"});
+        return run(std::move(more));
+    };
+    expectFailure(bake({"-o", "a.exr", "--quantities", "shade"}), 2, "unknown 'shade', expected some of lit,normal");
+    expectFailure(bake({"-o", "a.exr", "--quantities", "lit"}), 2, "needs a --sun");
+    expectFailure(bake({"-o", "a.exr", "--quantities", "lit", "--sun", "1"}), 2, "expected LON,LAT");
+    expectFailure(bake({"-o", "a.exr", "--quantities", "lit", "--sun", "1,x"}), 2, "'x' is no number");
+    expectFailure(bake({"-o", "a.exr", "--quantities", "lit", "--sun", "1,91"}), 2, "a latitude");
+    expectFailure(bake({"-o", "a.png", "--quantities", "normal"}), 2, "a PNG holds one plane");
+    expectFailure(bake({"-o", "a.tif", "--quantities", "slope"}), 2, "ends in .exr or .png");
+    expectFailure(bake({"-o", "a.exr", "--quantities", "slope", "--bounds", "10,0,0,10"}), 2, "expected W < E");
+    EXPECT_FALSE(exists("a.exr"));
 }
 
 // The blocks ```python of a page, one after the other.

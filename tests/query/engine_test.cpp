@@ -1,13 +1,8 @@
 // Rays of one's own against the certified reference.
 
-#include "gpu/device.h"
 #include "query/certify.h"
-#include "scene/parser.h"
-#include "tests/support/expecterror.h"
+#include "tests/query/fixture.h"
 #include "tests/support/keepdriver.h"
-#include "tests/support/tempfolder.h"
-#include "tests/support/testdevice.h"
-#include "tests/support/testmaps.h"
 
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -20,42 +15,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-class QueryTest : public testing::Test {
+class Rays : public QueryTest {
   protected:
-    QueryTest() {
-        setenv("XDG_CACHE_HOME", folder_.path().c_str(), 1);
-        test::writePgm16(folder_.path() / "map.pgm", test::fractalMap(256, 128));
-        test::writePgm16(folder_.path() / "coarse.pgm", test::fractalMap(16, 8));
-    }
-
-    ~QueryTest() override { EXPECT_TRUE(device_.validationMessages().empty()); }
-
-    struct World {
-        Scene scene;
-        SceneMaps maps;
-        PackedScene packed;
-        DeviceScene on_device;
-        Engine engine;
-
-        World(gpu::Device& device, Scene read, const Engine::Options& options)
-            : scene(std::move(read)),
-              maps(loadSceneMaps(scene)),
-              packed(packScene(scene, maps)),
-              on_device(device, packed),
-              engine(device, scene, maps, packed, on_device, options) {}
-    };
-
-    World world(const std::string& shapes, const Engine::Options& options = {}) {
-        return {
-            device_,
-            parseScene("WorldBegin\nLightSource \"distant\" \"point3 from\" [2 1 0] \"point3 to\" [0 0 0]\n" + shapes,
-                       "test.pbrt", folder_.path()),
-            options};
-    }
-    static std::string planet(const std::string& parameters, const std::string& map = "map.pgm") {
-        return "Shape \"displacedsphere\" \"string displacementmap\" \"" + map + "\" " + parameters + "\n";
-    }
-
     std::vector<Answer> trace(World& world, const std::vector<QueryRay>& rays) {
         std::vector<Answer> answers(rays.size());
         world.engine.trace(
@@ -81,9 +42,6 @@ class QueryTest : public testing::Test {
         EXPECT_LT(report.distanceQuantile(0.999), 1e-10);
         EXPECT_GT(enclosed, report.distances.size() * 99 / 100);
     }
-
-    test::TempFolder folder_;
-    gpu::Device device_{{.selector = test::testDevice(), .validation = true, .caches = false}};
 };
 
 /// Near, far, grazing, polar, from inside, along axes, with ends, and none at all, at a body of that greatest radius.
@@ -130,22 +88,22 @@ std::vector<QueryRay> manyRays(std::size_t count, double radius, unsigned seed) 
     return rays;
 }
 
-TEST_F(QueryTest, AFractalIsCertified) {
+TEST_F(Rays, AFractalIsCertified) {
     World planet_world = world(planet("\"float maxdispl\" 5"));
     expectCertified(planet_world, manyRays(9000, 1.05, 1));
 }
 
-TEST_F(QueryTest, ACoarseSteepMapIsCertified) {
+TEST_F(Rays, ACoarseSteepMapIsCertified) {
     World spikes = world(planet("\"float maxdispl\" 60", "coarse.pgm"));
     expectCertified(spikes, manyRays(9000, 1.6, 2));
 }
 
-TEST_F(QueryTest, ABodyInMetresIsCertified) {
+TEST_F(Rays, ABodyInMetresIsCertified) {
     World moon = world(planet("\"float radius\" 1737400 \"float maxdispl\" 2"));
     expectCertified(moon, manyRays(9000, 1737400.0 * 1.02, 3));
 }
 
-TEST_F(QueryTest, SplinesAndRipplesAreCertified) {
+TEST_F(Rays, SplinesAndRipplesAreCertified) {
     World spline = world(planet("\"float maxdispl\" 15 \"string filter\" \"bspline\""));
     expectCertified(spline, manyRays(9000, 1.15, 4));
     World ripples =
@@ -153,7 +111,7 @@ TEST_F(QueryTest, SplinesAndRipplesAreCertified) {
     expectCertified(ripples, manyRays(9000, 1.2, 5));
 }
 
-TEST_F(QueryTest, ThreePlacedShapesAreCertified) {
+TEST_F(Rays, ThreePlacedShapesAreCertified) {
     const std::string shapes = "AttributeBegin Translate .5 0 0 Rotate 30 1 2 3 " +
                                planet("\"float radius\" .5 \"float maxdispl\" 10") +
                                "AttributeEnd AttributeBegin Translate -.5 .2 .1 Scale .4 -.4 .4 " +
@@ -165,7 +123,7 @@ TEST_F(QueryTest, ThreePlacedShapesAreCertified) {
     expectCertified(body, manyRays(9000, 0.8, 7), Frame::Body);
 }
 
-TEST_F(QueryTest, RaysThatAreNoneHaveTheStatus255) {
+TEST_F(Rays, RaysThatAreNoneHaveTheStatus255) {
     World planet_world = world(planet("\"float maxdispl\" 5"));
     const double nan = std::nan("");
     const std::vector<QueryRay> rays = {{{0, 0, 4}, {0, 0, 0}},
@@ -187,7 +145,7 @@ TEST_F(QueryTest, RaysThatAreNoneHaveTheStatus255) {
 }
 
 // A flat sphere of radius 1: all in closed form.
-TEST_F(QueryTest, EveryFieldOfAFlatSphere) {
+TEST_F(Rays, EveryFieldOfAFlatSphere) {
     World flat = world("Translate 10 0 0 Scale 2 2 2 Shape \"displacedsphere\"\n", {.wishes = {.lit = true}});
     const std::vector<QueryRay> rays = {{{18, 0, 0}, {-2, 0, 0}},        // from +x: longitude 90
                                         {{10, 5, 0}, {0, -1, 0}},        // the north pole
@@ -214,7 +172,20 @@ TEST_F(QueryTest, EveryFieldOfAFlatSphere) {
     EXPECT_EQ(answers[3].hit.status, QueryStatus::Miss) << "ends before it";
 }
 
-TEST_F(QueryTest, AnswersKeepTheOrderAcrossBlocks) {
+TEST_F(Rays, MetresAreWhatTheMapSaysItsValuesMean) {
+    std::string map = "P5\n# Offset -100\n# Scale 0.01\n4 2\n65535\n";
+    for (int i = 0; i < 8; ++i) map += "\x75\x30";  // 30000
+    folder_.write("metres.pgm", map);
+    const std::vector<QueryRay> down = {{{3, 0, 0}, {-1, 0, 0}}};
+    World known = world(planet("", "metres.pgm"));
+    const QueryHit hit = trace(known, down)[0].hit;
+    EXPECT_EQ(hit.height, 30000.0);
+    EXPECT_NEAR(hit.metres, 200.0, 1e-9);
+    World unknown = world(planet(""));
+    EXPECT_TRUE(std::isnan(trace(unknown, down)[0].hit.metres));
+}
+
+TEST_F(Rays, AnswersKeepTheOrderAcrossBlocks) {
     World planet_world = world(planet("\"float maxdispl\" 5"));
     constexpr std::size_t kCount = 300'001;
     std::vector<std::uint8_t> seen(kCount);
@@ -235,7 +206,7 @@ TEST_F(QueryTest, AnswersKeepTheOrderAcrossBlocks) {
     EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), std::ptrdiff_t(kCount));
 }
 
-TEST_F(QueryTest, TheCertifierFindsWhatIsWrong) {
+TEST_F(Rays, TheCertifierFindsWhatIsWrong) {
     World planet_world = world(planet("\"float maxdispl\" 5"));
     const std::vector<QueryRay> rays = {{{0, 0, 4}, {0, 0, -1}}, {{0, 4, 4}, {0, 0, -1}}, {{1.0, 0, 4}, {0, 0, -1}}};
     std::vector<Answer> answers = trace(planet_world, rays);
@@ -255,7 +226,7 @@ TEST_F(QueryTest, TheCertifierFindsWhatIsWrong) {
 }
 
 // A ray that just passes above a flat sphere.
-TEST_F(QueryTest, ARayThatGrazesIsTangent) {
+TEST_F(Rays, ARayThatGrazesIsTangent) {
     World flat = world("Shape \"displacedsphere\"\n");
     const std::vector<QueryRay> rays = {{{1.0 + 5e-7, 0, 4}, {0, 0, -1}}, {{1.0 + 5e-6, 0, 4}, {0, 0, -1}}};
     const std::vector<Answer> answers = trace(flat, rays);
