@@ -245,6 +245,7 @@ Gathered resultOf(const Path path, const Rules rules) {
     Gathered result = path.result;
     float greatest = max(result.colour.x, max(result.colour.y, result.colour.z));
     if (kClamp > 0.0 && !rules.centre && greatest > kClamp) result.colour *= kClamp / greatest;
-    if (!rules.centre) result.colour *= filterWeight(numbersAt(path.numbers, 0, 0u));
+    if (!rules.centre) result.weight = filterWeight(numbersAt(path.numbers, 0, 0u));
+    result.colour *= result.weight;
     return result;
 }

@@ -54,9 +54,8 @@ vec3 storedColour(const ivec2 pixel) {
     return vec3(storedSum(pixel, PLANE_R), storedSum(pixel, PLANE_G), storedSum(pixel, PLANE_B));
 }
 
-void putAlpha(const ivec2 pixel, const bool hit, const int sample_index) {
+void putAlpha(const ivec2 pixel, const float alpha, const int sample_index) {
     if (!wants(PLANE_A)) return;
-    float alpha = hit ? 1.0 : 0.0;
     put(pixel, PLANE_A, sample_index > 0 ? storedSum(pixel, PLANE_A) + alpha : alpha);
 }
 
@@ -128,7 +127,7 @@ void finish(const Task task, const Gathered gathered, const int sample_index) {
         return;
     }
     putGeometry(task.pixel, gathered.point);
-    putAlpha(task.pixel, gathered.point.hit, sample_index);
+    putAlpha(task.pixel, gathered.point.hit ? gathered.weight : 0.0, sample_index);
     put(task.pixel, PLANE_ALBEDO_R, gathered.albedo);
     put(task.pixel, PLANE_LIT, gathered.lit);
     if (kWantsColour)

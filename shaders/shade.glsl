@@ -29,6 +29,7 @@ struct Gathered {
     SurfacePoint point;  // that the camera's ray met
     vec3 albedo, colour;
     uint lit;
+    float weight;  // of the camera's sample under a pixel filter: 1 unless the filter is negative in places
     Searches searches;
 };
 
@@ -38,6 +39,7 @@ Gathered nothingGathered() {
     result.albedo = vec3(0.0);
     result.colour = vec3(0.0);
     result.lit = 0u;
+    result.weight = 1.0;
     result.searches.doubtful = false;
     result.searches.steps = 0;
     return result;

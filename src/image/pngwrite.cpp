@@ -1,5 +1,6 @@
 #include <stb/stb_image_write.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -41,7 +42,7 @@ std::vector<std::uint8_t> encoded(const Image& image, const Tone& tone) {
         }
     }
     for (std::size_t k = 0; alpha && k < image.pixelCount(); ++k)
-        bytes[channels * k + 3] = std::uint8_t(255.0 * double(alpha->floats()[k]) + 0.5);
+        bytes[channels * k + 3] = std::uint8_t(255.0 * std::clamp(double(alpha->floats()[k]), 0.0, 1.0) + 0.5);
     return bytes;
 }
 

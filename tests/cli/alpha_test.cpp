@@ -67,6 +67,27 @@ TEST_F(AlphaTest, IsFilteredAsColourIs) {
     EXPECT_GT(between(alphaOf("soft.pbrt", {"--spp", "64"})), 2 * between(alphaOf("planet.pbrt", {"--spp", "64"})));
 }
 
+// A sphere that shines with radiance 1 before nothing: its colour is what it covers, under negative weights too.
+TEST_F(AlphaTest, IsWeightedAsColourIs) {
+    for (const std::string filter : {"gaussian", "mitchell", "sinc"}) {
+        folder_.write("lamp.pbrt",
+                      "LookAt 0 0 4  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" 40\n"
+                      "Film \"rgb\" \"integer xresolution\" 32 \"integer yresolution\" 32\n"
+                      "PixelFilter \"" +
+                          filter +
+                          "\" WorldBegin\n"
+                          "AreaLightSource \"diffuse\" \"rgb L\" [1 1 1] Shape \"sphere\"\n");
+        render({"lamp.pbrt", "-o", "lamp.exr", "--spp", "64"});
+        const Image picture = readExr(path("lamp.exr"));
+        EXPECT_EQ(picture.at("A").floats(), picture.at("R").floats()) << filter;
+        const bool overshoots = std::ranges::max(picture.at("A").floats()) > 1.0f;  // at edges
+        EXPECT_EQ(overshoots, filter != "gaussian") << filter;
+        render({"lamp.pbrt", "-o", "lamp.png", "--spp", "64", "--alpha"});
+        // The mean of 64 weights is 1 to within some percent; what is above 1 is cut and does not wrap around.
+        EXPECT_GE(int(rgbaOf("lamp.png")[4 * (32 * 16 + 16) + 3]), 245) << filter;
+    }
+}
+
 TEST_F(AlphaTest, ADistantLightIsBehindWhatIsEmpty) {
     const std::vector<float> alpha = alphaOf("sky.pbrt"), plain = alphaOf("planet.pbrt");
     EXPECT_EQ(alpha, plain) << "a sky covers nothing";
