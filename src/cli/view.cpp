@@ -23,12 +23,19 @@ int runView(const ViewOptions& options) {
     viewer.path = options.scene.scene;
     viewer.method = options.scene.marcher;
     viewer.samples = options.scene.samples;
+    viewer.exaggeration = options.scene.exaggeration;
     viewer.open = [scene = options.scene](const std::string& path) {
         SceneOptions named = scene;
         if (path != scene.scene && !isHeightmap(path)) named.map = {};  // they were said of the first map
         named.scene = path;
         Scene opened = loadScene(named);
         if (!named.latlon.empty()) placeCamera(opened, loadSceneMaps(opened), named);
+        if (named.exaggeration == 1.0) return opened;
+        // The camera stands above the exaggerated ground; the exaggeration itself is the panel's.
+        const Camera camera = opened.camera;
+        named.exaggeration = 1.0;
+        opened = loadScene(named);
+        opened.camera = camera;
         return opened;
     };
     viewer.interrupted = [] { return caughtSignal() != 0; };
@@ -43,6 +50,7 @@ void addView(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("view", "Show a scene or a heightmap in a window; H lists the keys");
     auto options = std::make_shared<ViewOptions>();
     addSceneOptions(*command, options->scene);
+    command->get_option("scene")->description("Scene file (.pbrt), or a heightmap, shown over its own range of values");
     command->add_option("--spp", options->scene.samples, "Samples a pixel that a still view refines to");
     command->add_option("--seed", options->scene.seed, "Seed of the sample positions");
     command->add_option("--device", options->viewer.device, "Vulkan device: its index, a part of its name, or cpu")

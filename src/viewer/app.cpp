@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "viewer/picturesize.h"
+
 namespace dsphere::viewer {
 
 namespace {
@@ -26,11 +28,12 @@ App::App(const ViewerOptions& options, Window& window, gpu::Device& renders, gpu
       presents_(presents),
       presenter_(presents, renders),
       display_(renders),
-      journal_(options.journal) {
-    view_.method = options.method;
+      journal_(options.journal),
+      loader_(options.open) {
+    chosen_.view.method = options.method;
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
-    ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
+    ImGui_ImplGlfw_InitForVulkan(window.handle(), false);  // Hand tells it of events
     rescale();
     presenter_.resize(window.width(), window.height());
     wanted_path_ = options.path;
@@ -53,21 +56,31 @@ void App::rescale() {
     ImGui::GetIO().Fonts->SetTexID(reinterpret_cast<ImTextureID>(Overlay::kFont));
 }
 
-void App::say(const std::string& message, bool error) {
-    ui_.message = message;
-    ui_.message_is_error = error;
-    message_until_ = window_.now() + kMessageSeconds;
+void App::say(const std::string& text, Message::Kind kind) {
+    ui_.message = {text, kind, window_.now() + kMessageSeconds, 1.0};
     frames_due_ = std::max(frames_due_, 2);
 }
 
+std::array<int, 2> App::area() const {
+    return {std::max(1, window_.width()), std::max(1, window_.height() - statusHeight(scale_))};
+}
+
+std::array<int, 2> App::pictureSize() const {
+    return boundedPicture(area(), renders_.limits(), presents_.limits());
+}
+
+dvec2 App::share(const dvec2& cursor) const {
+    return cursor / dvec2(area()[0], area()[1]);
+}
+
 int App::targetSamples() const {
-    if (view_.show != Show::Colour) return 1;
+    if (chosen_.view.show != Show::Colour) return 1;
     return options_.samples.value_or(std::clamp(stage_->document().original.sampler.pixel_samples, 16, 65536));
 }
 
 bool App::idle() const {
     if (frames_due_ > 0 || !window_.visible()) return !window_.visible();
-    if (!ui_.message.empty() && !ui_.message_is_error && window_.now() > message_until_ - kFade) return false;
+    if (!ui_.message.text.empty() && !ui_.message.stays() && window_.now() > ui_.message.until - kFade) return false;
     if (!stage_) return true;
     if (begun_ && schedule_.draft() && stage_->film().samples() == 0) return false;
     return schedule_.want(window_.now(), targetSamples()) == Schedule::Want::Nothing && !schedule_.draft();
@@ -76,25 +89,25 @@ bool App::idle() const {
 // Before a ray is traced for the cursor: the picture under way is of an older camera then, and given up.
 void App::syncCamera() {
     if (!stage_ || !camera_is_new_) return;
-    stage_->setCamera(control_->camera(), window_.width(), window_.height());
+    stage_->setCamera(control_->camera(), area()[0], area()[1]);
     camera_is_new_ = begun_ = false;
 }
 
 void App::startPicture(bool draft) {
     double scale = draft ? schedule_.scale() : 1.0;
-    int width = std::max(1, int(std::ceil(scale * window_.width())));
-    int height = std::max(1, int(std::ceil(scale * window_.height())));
-    if (stage_->prepareFilm(view_.show, window_.width(), window_.height())) display_.forget();
+    const auto [most_width, most_height] = pictureSize();
+    const int width = std::max(1, int(std::ceil(scale * most_width)));
+    const int height = std::max(1, int(std::ceil(scale * most_height)));
+    if (stage_->prepareFilm(chosen_.view.show, most_width, most_height)) display_.forget();
     stage_->setCamera(control_->camera(), width, height);
     camera_is_new_ = false;
-    const Sampling sampling = draft || view_.show != Show::Colour ? Sampling::Centres : Sampling::Jittered;
-    stage_->begin(view_, sampling, !draft || schedule_.shadows());
+    const Sampling sampling = draft || chosen_.view.show != Show::Colour ? Sampling::Centres : Sampling::Jittered;
+    stage_->begin(chosen_.view, sampling, !draft || schedule_.shadows());
     draft ? schedule_.beginDraft() : schedule_.beginStill();
     begun_ = true;
     published_ = false;
     draft_seconds_ = 0.0;
-    if (view_input_ < 0.0) view_input_ = input_since_;
-    input_since_ = -1.0;
+    latency_.pictureBegins();
 }
 
 // True if there is something new to show.
@@ -121,7 +134,7 @@ bool App::renderSlice() {
     if (!draft) {
         schedule_.sampleDone();
         if (film.sampleSeconds() * Schedule::kLeastScale * Schedule::kLeastScale > Schedule::kFrameTarget)
-            stage_->makeDraftsReady(view_);
+            stage_->makeDraftsReady(chosen_.view);
     }
     if (screenshot_wanted_ && !draft) takeScreenshot();
     // Doubling is when the eye sees a difference.
@@ -131,13 +144,27 @@ bool App::renderSlice() {
     return true;
 }
 
+// A marcher that cannot march this scene gives way to the exact one.
+bool App::renderOrFallBack() {
+    try {
+        return renderSlice();
+    } catch (const Error& error) {
+        if (chosen_.view.method.marcher == Marcher::Exact) throw;
+        chosen_.view.method.marcher = Marcher::Exact;
+        begun_ = false;
+        viewChanged(false);
+        say(error.what());
+        return false;
+    }
+}
+
 void App::publish() {
     presenter_.finish();
-    const Globe& globe = stage_->document().globe();
-    CursorRay middle = control_->rayAt(0.5 * dvec2(window_.width(), window_.height()));
+    const Globe& globe = control_->globe();
+    CursorRay middle = control_->rayAt(0.5 * dvec2(area()[0], area()[1]));
     double distance = glm::length(middle.origin - globe.centre()), radius = globe.radius();
     double horizon = std::sqrt(std::max(distance * distance - 0.8 * radius * radius, 0.01 * radius * radius));
-    display_.convert(stage_->film(), view_.show, tone_, std::max(0.0, distance - radius), horizon);
+    display_.convert(stage_->film(), chosen_.view.show, chosen_.tone, std::max(0.0, distance - radius), horizon);
     presenter_.setPicture(display_.pixels(), stage_->film().width(), stage_->film().height());
     published_ = true;
 }
@@ -147,21 +174,21 @@ void App::layOutFrame() {
     ImGui_ImplGlfw_NewFrame();
     ImGui::GetIO().DisplaySize = ImVec2(float(window_.width()), float(window_.height()));
     ImGui::GetIO().DisplayFramebufferScale = ImVec2(1.0f, 1.0f);
-    ImGui::GetIO().MousePos = ImVec2(float(window_.cursor().x), float(window_.cursor().y));
+    hand_.prepare(cursor_, window_.cursorWithin());
     fillUi();
-    // ImGui 1.86 looks at keys once a frame, and would miss those that are up again by then.
-    for (int code : typed_) ImGui::GetIO().KeysDown[code] = true;
     ImGui::NewFrame();
-    layOut(ui_, window_.width(), window_.height(), scale_);
-    if (view_.split && (drag_ == Drag::Divider || (!ImGui::GetIO().WantCaptureMouse && onDivider(window_.cursor()))))
+    layOut(ui_, {window_.width(), window_.height(), scale_});
+    const bool dividing = hand_.drag == Hand::Drag::Divider;
+    if (chosen_.view.split && (dividing || (!ImGui::GetIO().WantCaptureMouse && onDivider(cursor_))))
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     ImGui::Render();
-    for (int code : std::exchange(typed_, {})) ImGui::GetIO().KeysDown[code] = window_.isDown(code);
+    hand_.laidOut();
 }
 
 void App::drawFrame() {
     if (!window_.visible()) return;
     const double start = window_.now();
+    ui_.figures.hover = hoverText();
     layOutFrame();
     bool shown = presenter_.draw(*ImGui::GetDrawData());
     presenter_.finish();
@@ -182,74 +209,57 @@ void App::listen(double wait) {
     const double polled = last_poll_, start = window_.now();
     const std::vector<Event> events = window_.poll(wait);
     last_poll_ = window_.now();
-    const bool waited = wait > 0.0 && last_poll_ - start > 0.002;
-    if (!events.empty() && heard_since_ < 0.0) heard_since_ = waited ? last_poll_ : polled;
+    if (!events.empty()) latency_.heard(last_poll_, polled, wait > 0.0 && last_poll_ - start > 0.002);
     heard_.insert(heard_.end(), events.begin(), events.end());
 }
 
 // Whether what was heard may ask for another picture: a mouse that only moves does not.
 bool App::called() const {
-    const bool held = drag_ != Drag::None || ImGui::IsAnyItemActive();
-    return std::ranges::any_of(
-        heard_, [&](const Event& event) { return event.kind == Event::Move ? held : event.kind != Event::KeyUp; });
+    const bool held = hand_.drag != Hand::Drag::None || ImGui::IsAnyItemActive();
+    return std::ranges::any_of(heard_, [&](const Event& event) {
+        return event.kind == Event::Move ? held : event.kind != Event::KeyUp && event.kind != Event::Leave;
+    });
+}
+
+void App::fadeMessage() {
+    if (ui_.message.text.empty() || ui_.message.stays()) return;
+    const double left = ui_.message.until - window_.now();
+    ui_.message.alpha = std::clamp(left / kFade, 0.05, 1.0);
+    if (left > 0.0) return;
+    ui_.message.text.clear();
+    frames_due_ = std::max(frames_due_, 1);
 }
 
 void App::run() {
     last_loop_ = last_poll_ = window_.now();
-    while (!window_.closing() && !options_.interrupted()) {
+    while (!closing_ && !options_.interrupted()) {
         listen(idle() && heard_.empty() ? kIdleWait : 0.0);
         const std::vector<Event> events = std::exchange(heard_, {});
-        if (input_since_ < 0.0) input_since_ = heard_since_;
-        heard_since_ = -1.0;
+        latency_.handled();
         for (const Event& event : events) handle(event);
-        bool flew = flyStep(std::min(last_poll_ - last_loop_, 0.1));
+        if (window_.closing()) {
+            window_.close(false);
+            quit();
+        }
+        const bool flew = flyStep(std::min(last_poll_ - last_loop_, 0.1));
         last_loop_ = last_poll_;
         finishWork();
         reloadIfChanged();
-        startWork();
+        follow();
         if (!events.empty()) frames_due_ = std::max(frames_due_, 4);  // what ImGui takes to open a list
-        bool fresh = renderSlice();
+        const bool fresh = renderOrFallBack();
         if (fresh) listen(0.0);  // between the two long parts of a turn, to know better when events came
-        bool late = window_.now() - last_draw_ > kRefiningRedraw;
-        bool fading = !ui_.message.empty() && !ui_.message_is_error;
+        const bool late = window_.now() - last_draw_ > kRefiningRedraw;
+        const bool fading = !ui_.message.text.empty() && !ui_.message.stays();
         // A still that is about to be dropped need not be drawn first.
         if (fresh && !schedule_.draft() && !late && called())
             frames_due_ = std::max(frames_due_, 1);
-        else if (fresh || flew || frames_due_ > 0 || (late && (!idle() || fading || loading_.busy())))
+        else if (fresh || flew || frames_due_ > 0 || (late && (!idle() || fading || loader_.busy())))
             drawFrame();
-        if (fading && window_.now() > message_until_) {
-            ui_.message.clear();
-            frames_due_ = std::max(frames_due_, 1);
-        }
-        ui_.message_alpha =
-            ui_.message_is_error ? 1.0 : std::clamp((message_until_ - window_.now()) / kFade, 0.05, 1.0);
+        fadeMessage();
+        const bool at_rest = hand_.drag == Hand::Drag::None && !ImGui::IsAnyItemActive();
+        if (stage_ && at_rest && !schedule_.moving(window_.now())) history_.add(state());
     }
-}
-
-void App::note(bool shown) {
-    // Answered once a picture begun after the input is on the screen, or where it asks for none, the next frame.
-    double latency = -1.0;
-    const bool settled = !stage_ || (published_ && schedule_.current());
-    double& answered = view_input_ >= 0.0 ? view_input_ : input_since_;
-    if (shown && answered >= 0.0 && settled) latency = window_.now() - std::exchange(answered, -1.0);
-    if (!journal_.on()) return;
-    const dvec2 at = share(window_.cursor());
-    const Figures& figures = ui_.figures;
-    journal_.write(fmt::format(
-        "{{\"time\": {:.4f}, \"shown\": {}, \"file\": {}, \"busy\": {}, \"samples\": {}, \"target\": {}, \"draft\": "
-        "{}, "
-        "\"film\": [{}, {}], \"window\": [{}, {}], \"frame_ms\": {:.2f}, \"draw_ms\": {:.2f}, \"latency_ms\": {:.2f}, "
-        "\"altitude\": {:.9g}, \"marcher\": {}, \"split\": {}, \"divider\": {:.4f}, \"value\": {}, \"panel\": {}, "
-        "\"keys\": {}, \"hover\": {}, \"message\": {}, \"error\": {}, \"cursor\": [{:.4f}, {:.4f}], \"scale\": {:.2f}, "
-        "\"exaggeration\": {:.4f}, \"detail\": {}, \"filter\": {}, \"capture\": {}, \"render_ms\": {:.2f}, "
-        "\"device_ms\": {:.2f}}}",
-        window_.now(), shown, jsonQuoted(figures.file), figures.busy, figures.samples, figures.target_samples,
-        schedule_.draft(), figures.width, figures.height, window_.width(), window_.height(), 1e3 * frame_seconds_,
-        1e3 * draw_seconds_, latency < 0.0 ? -1.0 : 1e3 * latency, control_ ? control_->altitude() : 0.0,
-        int(view_.method.marcher), view_.split, view_.divider, int(view_.show), ui_.panel_open, ui_.keys_open,
-        jsonQuoted(figures.hover), jsonQuoted(ui_.message), ui_.message_is_error, at.x, at.y, scale_,
-        ui_.tuning.exaggeration, view_.method.detail, int(ui_.tuning.filter), ImGui::GetIO().WantCaptureMouse,
-        1e3 * draft_seconds_, stage_ && begun_ ? 1e3 * stage_->film().sampleSeconds() : 0.0));
 }
 
 }  // namespace dsphere::viewer

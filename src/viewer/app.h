@@ -1,11 +1,13 @@
 #pragma once
 
-#include <set>
+#include <array>
 
-#include "viewer/background.h"
 #include "viewer/camera.h"
 #include "viewer/display.h"
+#include "viewer/hand.h"
 #include "viewer/journal.h"
+#include "viewer/latency.h"
+#include "viewer/loader.h"
 #include "viewer/presenter.h"
 #include "viewer/schedule.h"
 #include "viewer/stage.h"
@@ -16,8 +18,8 @@
 
 namespace dsphere::viewer {
 
-/// The viewer at work: events change the view, slices of rendering follow it, frames show it. One thread; files are
-/// read and packed on another.
+/// The viewer at work: events change what is chosen, slices of rendering follow it, frames show it. One thread; files
+/// are read and packed on another.
 class App {
   public:
     App(const ViewerOptions& options, Window& window, gpu::Device& renders, gpu::Device& presents);
@@ -28,50 +30,59 @@ class App {
     void run();
 
   private:
-    enum class Drag { None, Orbit, Pan, Tilt, Sun, Divider };
-
     // input.cpp: what events do
     void handle(const Event& event);
-    bool onPanel();
+    bool onPanel(const dvec2& cursor);
     void press(const Event& event);
     void move(const Event& event);
+    void release();
     void scroll(const Event& event);
     void key(const Event& event);
     void resize();
     bool flyStep(double seconds);
     bool onDivider(const dvec2& cursor) const;
-    dvec2 share(const dvec2& cursor) const;
-    std::optional<dvec3> pointUnder(const dvec2& cursor);
+    std::optional<Hit> hitUnder(const dvec2& cursor);
     void turnSun(const dvec2& cursor);
 
-    // loading.cpp: files and repacking
+    // command.cpp: what keys and buttons ask for
+    void runCommand(Command command);
+    bool runForWindow(Command command);
+    bool runForFiles(Command command);
+    void runForView(Command command);
+    void escape();
+    void quit();
+    void undo(int by);
+    void cameraMoved(bool moving);
+
+    // follow.cpp: files and repacking, after what is chosen
     void open(const std::string& path);
-    void startWork();
+    void follow();
     void finishWork();
-    void show(std::unique_ptr<Document> document);
+    void show(Loaded loaded);
+    void tellNotices(const std::vector<std::string>& lost);
+    void tellRefused(const Error& error);
     void reloadIfChanged();
 
-    // tune.cpp: what the panel shows and changes
+    // chosen.cpp: what the panels show and change
+    State state() const;
+    void adopt(const State& wanted);
     void fillUi();
     void applyUi();
-    void applyMaterial(const Texture& material);
-    std::optional<SunAngles> sunAngles() const;
-    void setSun(const SunAngles& angles);
-    void changeLook(bool moving);
-    void escape();
-    void runCommand(Command command);
     std::string hoverText();
+    void note(bool shown);
+    void noteState(nlohmann::json& line) const;
 
     // keep.cpp: what is written
     void takeScreenshot();
     void saveScene();
     void copyCamera();
-    std::filesystem::path freeName(const char* extension) const;
+    std::string freeName() const;
 
     // app.cpp: the loop
     void listen(double wait);
     bool called() const;
     bool renderSlice();
+    bool renderOrFallBack();
     void startPicture(bool draft);
     void publish();
     void layOutFrame();
@@ -80,9 +91,13 @@ class App {
     int targetSamples() const;
     void viewChanged(bool moving) { schedule_.change(window_.now(), moving); }
     void syncCamera();
-    void say(const std::string& message, bool error = false);
+    void say(const std::string& text, Message::Kind kind = Message::Kind::Said);
+    void fadeMessage();
     void rescale();
-    void note(bool shown);
+    /// The part of the window that the picture fills, and the picture's own size: smaller where the device has limits.
+    std::array<int, 2> area() const;
+    std::array<int, 2> pictureSize() const;
+    dvec2 share(const dvec2& cursor) const;
 
     ViewerOptions options_;
     Window& window_;
@@ -90,38 +105,36 @@ class App {
     gpu::Device& presents_;
     Presenter presenter_;
     Display display_;
-    std::unique_ptr<Stage> stage_;
-    std::optional<CameraControl> control_;
-    Schedule schedule_;
-    Watcher watcher_;
     Journal journal_;
 
-    Background<std::unique_ptr<Document>> loading_;
-    Background<PackedScene> packing_;
-    std::string loading_path_, wanted_path_;
-    std::unique_ptr<Scene> wanted_scene_;  ///< of the present file, with other images
-    Tuning packing_tuning_, wanted_tuning_;
-    bool look_changed_ = false;  ///< to be packed when packing_ is done
+    // What is wanted, from which the rest follows. The camera and the target are the control's, once there is one.
+    State chosen_;
+    std::string wanted_path_;  ///< to be read as soon as nothing else is
+    std::optional<CameraControl> control_;
+    History history_;
+    Edits saved_edits_;  ///< as in the file that was opened or saved last
+    Edits shown_edits_;  ///< that the stage's scene has
+    Edits tried_edits_;  ///< that the work under way makes a scene of
 
-    ViewSettings view_;
-    ToneSettings tone_;
-    Ui ui_;
-    std::set<int> held_;      ///< keys that went down without Control
-    std::vector<int> typed_;  ///< keys that went down while ImGui was typed into, since its last frame
-    Drag drag_ = Drag::None;
-    SunAngles grabbed_sun_;
-    dvec2 grabbed_cursor_{0.0};
+    Loader loader_;
+    Watcher watcher_;
+    std::unique_ptr<Stage> stage_;
+    Schedule schedule_;
     bool camera_is_new_ = true;  ///< the renderer has not got it yet
     bool begun_ = false;         ///< the stage's film is being filled or full
     bool published_ = false;     ///< the window shows what the film holds
     bool screenshot_wanted_ = false;
+
+    Hand hand_;
+    std::vector<Event> heard_;  ///< events that wait for the loop's next turn
+    dvec2 cursor_{0.0};         ///< as of the last event that was handled
+    Ui ui_;
+
+    Latency latency_;
     double draft_seconds_ = 0.0, draw_seconds_ = 0.0, frame_seconds_ = 0.0;
-    std::vector<Event> heard_;   ///< events that wait for the loop's next turn
-    double heard_since_ = -1.0;  ///< when the first of them came, at the earliest; -1: none waits
-    double input_since_ = -1.0;  ///< the same of events that neither a picture nor a frame has answered yet
-    double last_draw_ = -1.0, last_loop_ = 0.0, last_poll_ = 0.0, message_until_ = 0.0, scale_ = 0.0;
-    double view_input_ = -1.0;  ///< the same of those that the picture begun last answers, until it is shown
+    double last_draw_ = -1.0, last_loop_ = 0.0, last_poll_ = 0.0, scale_ = 0.0, busy_since_ = 0.0;
     int frames_due_ = 3;
+    bool closing_ = false;
 };
 
 }  // namespace dsphere::viewer

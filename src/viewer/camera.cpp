@@ -55,8 +55,14 @@ void Pose::turn(const dmat3& rotation, const dvec3& about) {
     ahead = rotation * ahead;
 }
 
-CameraControl::CameraControl(const Camera& camera, const Film& film, const Globe& globe)
-    : home_(camera), camera_(camera), film_(film), globe_(globe), pose_(Pose::of(camera)) {}
+CameraControl::CameraControl(const Camera& camera, const Film& film, std::shared_ptr<const Bodies> bodies,
+                             std::size_t target)
+    : home_(camera),
+      camera_(camera),
+      film_(film),
+      bodies_(std::move(bodies)),
+      target_(target),
+      pose_(Pose::of(camera)) {}
 
 CursorRay CameraControl::rayAt(const dvec2& cursor) const {
     return rayOf(makeRaster(camera_, film_), cursor);
@@ -67,10 +73,11 @@ void CameraControl::resize(int width, int height) {
     film_.height = height;
 }
 
-void CameraControl::setGlobe(const Globe& globe) {
-    globe_ = globe;
+void CameraControl::setBodies(std::shared_ptr<const Bodies> bodies) {
+    bodies_ = std::move(bodies);
+    if (target_ >= bodies_->count()) target_ = 0;
     Pose pose = pose_;
-    keepAboveGround(pose);
+    pose.eye = bodies_->outOfGround(pose.eye, kLowest);
     if (pose.eye != pose_.eye) place(pose);
 }
 
@@ -83,21 +90,24 @@ void CameraControl::reset() {
     setCamera(home_);
 }
 
-void CameraControl::axisView(int key) {
-    dvec3 outward = globe_.origin(), up = globe_.north();
-    if (key == 3) outward = globe_.east();
-    if (key == 7) outward = globe_.north(), up = -globe_.origin();
-    if (key == 9) outward = glm::normalize(globe_.origin() + globe_.east() + globe_.north());
+void CameraControl::axisView(Side side) {
+    dvec3 outward = globe().origin(), up = globe().north();
+    if (side == Side::Back) outward = -globe().origin();
+    if (side == Side::Right) outward = globe().east();
+    if (side == Side::Left) outward = -globe().east();
+    if (side == Side::North) outward = globe().north(), up = -globe().origin();
+    if (side == Side::South) outward = -globe().north(), up = globe().origin();
+    if (side == Side::Corner) outward = glm::normalize(globe().origin() + globe().east() + globe().north());
     double tangent = std::tan(0.5 * glm::radians(camera_.fov_degrees));
-    double distance = 3.0 * globe_.radius();
+    double distance = 3.0 * globe().radius();
     if (camera_.projection == Projection::Perspective)
-        distance = globe_.radius() / std::sin(std::atan(kFill * tangent));
+        distance = globe().radius() / std::sin(std::atan(kFill * tangent));
     Pose old = Pose::of(home_), pose;
     dvec3 ahead = -outward;
     up = glm::normalize(up - glm::dot(up, ahead) * ahead);
-    pose.eye = globe_.centre() + distance * outward;
+    pose.eye = globe().centre() + distance * outward;
     double across = glm::length(old.right), upward = glm::length(old.up);
-    if (camera_.projection == Projection::Orthographic) across = upward = globe_.radius() / kFill;
+    if (camera_.projection == Projection::Orthographic) across = upward = globe().radius() / kFill;
     pose.right = across * old.handedness() * glm::cross(up, ahead);
     pose.up = upward * up;
     pose.ahead = glm::length(old.ahead) * ahead;
@@ -109,46 +119,77 @@ void CameraControl::place(const Pose& pose) {
     camera_.camera_from_world = pose.cameraFromWorld();
 }
 
-void CameraControl::keepAboveGround(Pose& pose) const {
-    dvec3 outward = pose.eye - globe_.centre();
-    double distance = glm::length(outward);
-    if (!(distance > 0.0)) return;
-    double lowest = globe_.ground(outward) + kLowest * globe_.radius();
-    double highest = kHighest * globe_.radius();
-    if (distance < lowest || distance > highest)
-        pose.eye = globe_.centre() + outward * (std::clamp(distance, lowest, highest) / distance);
+// Past nothing, out of the ground, and not farther than where the scene is still seen: or than it was before.
+void CameraControl::moveTo(Pose pose, const dvec3& from) {
+    if (pose.eye != from) pose.eye = bodies_->wayTo(from, pose.eye, kLowest);
+    pose.eye = bodies_->outOfGround(pose.eye, kLowest);
+    if (camera_.projection == Projection::Perspective) {
+        const double pixel = 2.0 * std::tan(0.5 * glm::radians(camera_.fov_degrees)) / shorterSide(film_);
+        const double own = glm::length(from - bodies_->middle());
+        const double farthest = std::max(2.0 * bodies_->reach() / (kFewestPixels * pixel), own);
+        const dvec3 outward = pose.eye - bodies_->middle();
+        if (glm::length(outward) > farthest) pose.eye = bodies_->middle() + outward * (farthest / glm::length(outward));
+    }
+    place(pose);
 }
 
 std::optional<dvec3> CameraControl::onSphere(const CursorRay& ray, double radius) const {
-    dvec3 from = ray.origin - globe_.centre();
+    dvec3 from = ray.origin - globe().centre();
     double b = glm::dot(from, ray.direction);
     dvec3 nearest = from - b * ray.direction;
     double room = radius * radius - glm::dot(nearest, nearest);
     if (room < 0.0) return {};
     double s = -b - std::sqrt(room);
     if (s <= 0.0 && camera_.projection == Projection::Perspective) return {};
-    return globe_.centre() + nearest - std::sqrt(room) * ray.direction;
+    return globe().centre() + nearest - std::sqrt(room) * ray.direction;
 }
 
 dvec3 CameraControl::pivot(const dvec2& cursor, const std::optional<dvec3>& hit) const {
-    if (!hit) return globe_.centre();
+    if (!hit) return globe().centre();
     // The cursor's own ray, not the pixel's that was traced.
     CursorRay ray = rayAt(cursor);
     return ray.origin + glm::dot(*hit - ray.origin, ray.direction) * ray.direction;
 }
 
-void CameraControl::grab(const dvec2& cursor, const std::optional<dvec3>& hit) {
+void CameraControl::grab(const dvec2& cursor, const std::optional<Hit>& hit) {
+    if (hit) target_ = hit->shape;
     grabbed_pose_ = pose_;
     grabbed_raster_ = makeRaster(camera_, film_);
     grabbed_cursor_ = cursor;
-    grabbed_point_ = pivot(cursor, hit);
-    on_globe_ = hit.has_value() && glm::length(*hit - globe_.centre()) <= 1.001 * globe_.radius();
+    grabbed_point_ = pivot(cursor, hit ? std::optional(hit->point) : std::nullopt);
+    on_globe_ = hit.has_value();
+    const double eye = glm::length(pose_.eye - globe().centre()),
+                 reach = glm::length(grabbed_point_ - globe().centre());
+    looks_around_ =
+        camera_.projection == Projection::Perspective && (hit ? eye < 1.000001 * reach : altitude() < globe().radius());
+    if (!hit && looks_around_) {
+        const CursorRay ray = rayAt(cursor);
+        grabbed_point_ = ray.origin + std::max(altitude(), kLowest * globe().radius()) * ray.direction;
+    }
+}
+
+// The sky moves with the cursor, about the vertical at the eye, and no farther than straight up or down.
+void CameraControl::lookTo(const dvec2& cursor) {
+    Pose pose = grabbed_pose_;
+    const dvec3 vertical = glm::normalize(pose.eye - globe().centre());
+    const auto angles = [&](const dvec2& place) {
+        const dvec3 d = rayOf(grabbed_raster_, place).direction, ahead = glm::normalize(pose.ahead);
+        return dvec2(std::atan2(glm::dot(d, glm::normalize(pose.right)), glm::dot(d, ahead)),
+                     std::atan2(glm::dot(d, glm::normalize(pose.up)), glm::dot(d, ahead)));
+    };
+    const dvec2 turned = angles(cursor) - angles(grabbed_cursor_);
+    const double hand = pose.handedness();
+    const double height = std::asin(std::clamp(glm::dot(glm::normalize(pose.ahead), vertical), -1.0, 1.0));
+    const double wanted = std::clamp(height - turned.y, -0.49 * kPi, std::max(height, 0.49 * kPi));
+    pose.turn(rotation(glm::normalize(pose.right), -hand * (wanted - height)), pose.eye);
+    pose.turn(rotation(vertical, -hand * turned.x), pose.eye);
+    place(pose);
 }
 
 // Turning about an axis that runs from the centre through the grabbed point leaves that point where it is on the
 // screen. The component of `right` along north is A + B cos + C sin of the angle; it is brought back to what it was.
 dmat3 CameraControl::levelling(const Pose& pose, const dvec3& axis) const {
-    const dvec3& north = globe_.north();
+    const dvec3& north = globe().north();
     double target = glm::dot(glm::normalize(grabbed_pose_.right), north);
     dvec3 right = glm::normalize(pose.right);
     double a = glm::dot(right, axis) * glm::dot(axis, north);
@@ -162,15 +203,16 @@ dmat3 CameraControl::levelling(const Pose& pose, const dvec3& axis) const {
 
 void CameraControl::orbitTo(const dvec2& cursor) {
     Pose pose = grabbed_pose_;
-    const dvec3& centre = globe_.centre();
-    if (!on_globe_) {  // the sky was grabbed: half a turn a window
+    const dvec3& centre = globe().centre();
+    if (looks_around_) return lookTo(cursor);
+    if (!on_globe_) {
         dvec2 angle = (cursor - grabbed_cursor_) * (kPi / shorterSide(film_));
         double hand = pose.handedness();
-        pose.turn(rotation(globe_.north(), -hand * angle.x), centre);
+        pose.turn(rotation(globe().north(), -hand * angle.x), centre);
         pose.turn(rotation(glm::normalize(pose.right), -hand * angle.y), centre);
         return place(pose);
     }
-    double radius = glm::length(grabbed_point_ - centre);
+    const double radius = glm::length(grabbed_point_ - centre);
     CursorRay ray = rayOf(grabbed_raster_, cursor);
     std::optional<dvec3> under = onSphere(ray, radius);
     if (!under) {  // beside the ball: its edge follows
@@ -181,8 +223,7 @@ void CameraControl::orbitTo(const dvec2& cursor) {
     dvec3 axis = glm::normalize(grabbed_point_ - centre);
     pose.turn(rotationBetween(glm::normalize(*under - centre), axis), centre);
     pose.turn(levelling(pose, axis), centre);
-    keepAboveGround(pose);
-    place(pose);
+    moveTo(pose, pose.eye);
 }
 
 void CameraControl::panTo(const dvec2& cursor) {
@@ -194,15 +235,15 @@ void CameraControl::panTo(const dvec2& cursor) {
     dvec3 was = before.origin + before.direction * (depth / glm::dot(before.direction, ahead));
     Pose pose = grabbed_pose_;
     pose.eye += was - (ray.origin + ray.direction * (depth / along));
-    keepAboveGround(pose);
-    place(pose);
+    moveTo(pose, grabbed_pose_.eye);
 }
 
 void CameraControl::tiltTo(const dvec2& cursor) {
+    if (!on_globe_ && looks_around_) return lookTo(cursor);
     dvec2 angle = (cursor - grabbed_cursor_) * (kPi / shorterSide(film_));
     Pose pose = grabbed_pose_;
     dvec3 about = grabbed_point_;
-    dvec3 vertical = on_globe_ ? glm::normalize(about - globe_.centre()) : globe_.north();
+    dvec3 vertical = on_globe_ ? glm::normalize(about - globe().centre()) : globe().north();
     double hand = pose.handedness();
     dvec3 ahead = glm::normalize(pose.ahead);
     // 0 looks straight down; upward drags lower the eye towards the horizon.
@@ -210,13 +251,14 @@ void CameraControl::tiltTo(const dvec2& cursor) {
     double wanted = std::clamp(slant - angle.y, 0.0, std::max(slant, 0.52 * kPi));
     pose.turn(rotation(glm::normalize(pose.right), -hand * (wanted - slant)), about);
     pose.turn(rotation(vertical, -hand * angle.x), about);
-    keepAboveGround(pose);
-    place(pose);
+    moveTo(pose, pose.eye);
 }
 
 void CameraControl::zoomOrthographic(const dvec2& cursor, double factor) {
     dvec3 before = rayAt(cursor).origin;
     Pose pose = pose_;
+    const double widest = bodies_->reach() * shorterSide(film_) / kFewestPixels;
+    factor = std::min(factor, std::max(1.0, widest / glm::length(pose.up)));
     pose.right *= factor;
     pose.up *= factor;
     place(pose);
@@ -224,49 +266,32 @@ void CameraControl::zoomOrthographic(const dvec2& cursor, double factor) {
     place(pose);
 }
 
-// The segment to a first hit is free, so the eye can only come too near its end, or to the ground beside it.
-void CameraControl::limit(Pose& pose, const dvec3& from) const {
-    double lowest = kLowest * globe_.radius();
-    auto fine = [&](const dvec3& eye) { return globe_.altitude(eye) >= lowest; };
-    if (fine(pose.eye) || !fine(from)) return;
-    double good = 0.0, bad = 1.0;
-    dvec3 way = pose.eye - from;
-    for (int i = 0; i < 50; ++i) {
-        double middle = 0.5 * (good + bad);
-        (fine(from + middle * way) ? good : bad) = middle;
-    }
-    pose.eye = from + good * way;
-}
-
 void CameraControl::zoom(const dvec2& cursor, const std::optional<dvec3>& hit, double steps) {
     double factor = std::pow(kZoomStep, steps);
     if (camera_.projection == Projection::Orthographic) return zoomOrthographic(cursor, factor);
     Pose pose = pose_;
-    dvec3 from = pose.eye;
-    double height = std::max(altitude(), kLowest * globe_.radius());
-    if (hit) {
+    const dvec3 from = pose.eye, outward = glm::normalize(from - globe().centre());
+    const double lowest = kLowest * globe().radius(), height = std::max(altitude(), lowest);
+    const double distance = hit ? glm::length(*hit - from) : 0.0;
+    if (hit && distance > 1e-3 * lowest) {
         dvec3 point = pivot(cursor, hit), away = from - point;
-        double nearest = kLowest * globe_.radius(), distance = glm::length(away);
-        if (steps > 0.0) factor = std::min(1.0, std::max(factor, nearest / distance));
+        if (steps > 0.0) factor = std::min(1.0, std::max(factor, lowest / glm::length(away)));
         pose.eye = point + factor * away;
-    } else if (height > globe_.radius()) {
-        dvec3 outward = glm::normalize(from - globe_.centre());
+    } else if (hit || height > globe().radius()) {  // also from within: there is always a way out
         pose.eye += (factor - 1.0) * height * outward;
     } else {
         pose.eye += (1.0 - factor) * height * rayAt(cursor).direction;
     }
-    limit(pose, from);
-    keepAboveGround(pose);
-    place(pose);
+    moveTo(pose, from);
 }
 
 void CameraControl::fly(const dvec3& along, double seconds) {
     Pose pose = pose_;
-    double step = std::max(altitude(), kLowest * globe_.radius()) * seconds;
+    const dvec3 from = pose.eye;
+    double step = std::max(altitude(), kLowest * globe().radius()) * seconds;
     pose.eye += step * (along.x * glm::normalize(pose.right) + along.y * glm::normalize(pose.up) +
                         along.z * glm::normalize(pose.ahead));
-    keepAboveGround(pose);
-    place(pose);
+    moveTo(pose, from);
 }
 
 }  // namespace dsphere::viewer

@@ -3,6 +3,7 @@
 #include "render/raster.h"
 #include "viewer/globe.h"
 
+#include <memory>
 #include <optional>
 
 namespace dsphere::viewer {
@@ -23,34 +24,53 @@ struct CursorRay {
     dvec3 origin, direction;
 };
 
+/// What is under the cursor: a world point of one of the scene's shapes.
+struct Hit {
+    dvec3 point;
+    std::size_t shape;
+};
+
+/// From where axisView() looks: latitude 0 and longitude 0, 180, 90, -90; the poles; the corner between 0, 90 and the
+/// north pole.
+enum class Side { Front, Back, Right, Left, North, South, Corner };
+
 /// The camera as the mouse and keys move it. Cursor positions are pixels of the film, y downward. Drags go from where
-/// the cursor grabbed, never from the last event, so nothing drifts.
+/// the cursor grabbed, never from the last event, so nothing drifts. All turning is about the target, one of the
+/// scene's shapes: what was grabbed last.
 class CameraControl {
   public:
-    /// The nearest that the eye comes to the ground and the farthest from it, in R.
-    static constexpr double kLowest = 1e-3, kHighest = 1e6;
+    /// The nearest that the eye comes to the ground, in R.
+    static constexpr double kLowest = 1e-3;
+    /// The fewest pixels across which all of the scene is seen, however far the eye goes.
+    static constexpr double kFewestPixels = 8.0;
 
-    CameraControl(const Camera& camera, const Film& film, const Globe& globe);
+    CameraControl(const Camera& camera, const Film& film, std::shared_ptr<const Bodies> bodies, std::size_t target);
 
     const Camera& camera() const { return camera_; }
-    double altitude() const { return globe_.altitude(pose_.eye); }
+    std::size_t target() const { return target_; }
+    const Globe& globe() const { return (*bodies_)[target_]; }
+    /// The distance to the nearest ground or shape; negative inside a planet.
+    double altitude() const { return bodies_->clearance(pose_.eye); }
     CursorRay rayAt(const dvec2& cursor) const;
 
     void resize(int width, int height);
-    void setGlobe(const Globe& globe);
+    void setBodies(std::shared_ptr<const Bodies> bodies);
+    void setTarget(std::size_t shape) { target_ = shape; }
     void setCamera(const Camera& camera);
     /// Back to where it started.
     void reset();
-    /// The whole globe from '1' latitude 0, longitude 0; '3' longitude 90; '7' the north pole; '9' between those.
-    void axisView(int key);
+    /// The whole globe from a side, north up.
+    void axisView(Side side);
 
-    /// Starts a drag; `hit` is the world point under the cursor, if any.
-    void grab(const dvec2& cursor, const std::optional<dvec3>& hit);
-    /// Turns the globe: the grabbed ground stays under the cursor, north stays as far up as it was.
+    /// Starts a drag; `hit` is what is under the cursor, if anything, and becomes the target.
+    void grab(const dvec2& cursor, const std::optional<Hit>& hit);
+    /// Turns the globe: the grabbed ground stays under the cursor, north stays as far up as it was. Beside the globe
+    /// half a turn a window; where the sky was grabbed near the ground, looks around.
     void orbitTo(const dvec2& cursor);
     /// Moves sideways: what was grabbed stays under the cursor.
     void panTo(const dvec2& cursor);
-    /// Turns about what was grabbed: its vertical, and up to the horizon.
+    /// Turns about what was grabbed: its vertical, and up to the horizon. Looks around where that was the sky near the
+    /// ground.
     void tiltTo(const dvec2& cursor);
 
     /// Towards (steps > 0) or away from what is under the cursor, which stays there.
@@ -62,14 +82,15 @@ class CameraControl {
     dvec3 pivot(const dvec2& cursor, const std::optional<dvec3>& hit) const;
     std::optional<dvec3> onSphere(const CursorRay& ray, double radius) const;
     dmat3 levelling(const Pose& pose, const dvec3& axis) const;
+    void lookTo(const dvec2& cursor);
     void zoomOrthographic(const dvec2& cursor, double factor);
     void place(const Pose& pose);
-    void keepAboveGround(Pose& pose) const;
-    void limit(Pose& pose, const dvec3& from) const;
+    void moveTo(Pose pose, const dvec3& from);
 
     Camera home_, camera_;
     Film film_;
-    Globe globe_;
+    std::shared_ptr<const Bodies> bodies_;
+    std::size_t target_;
     Pose pose_;
     // Of the drag:
     Pose grabbed_pose_;
@@ -77,6 +98,7 @@ class CameraControl {
     dvec2 grabbed_cursor_{0.0};
     dvec3 grabbed_point_{0.0};
     bool on_globe_ = false;
+    bool looks_around_ = false;  ///< the sky was grabbed near the ground, or ground above the eye
 };
 
 }  // namespace dsphere::viewer

@@ -1,9 +1,11 @@
 #include "viewer/globe.h"
 
 #include "surface/ripples.h"
+#include "surface/spline.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dsphere::viewer {
 
@@ -20,6 +22,23 @@ Relief reliefOf(const Shape& shape, const Relief& relief) {
     return plain;
 }
 
+// Ericson, Real-Time Collision Detection (2005), 5.1.5.
+dvec3 closestOnTriangle(const dvec3& p, const std::array<dvec3, 3>& triangle) {
+    const auto& [a, b, c] = triangle;
+    const dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+    const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap), d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp),
+                 d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
+    if (d1 <= 0.0 && d2 <= 0.0) return a;
+    if (d3 >= 0.0 && d4 <= d3) return b;
+    if (d6 >= 0.0 && d5 <= d6) return c;
+    const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
+    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + ab * (d1 / (d1 - d3));
+    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + ac * (d2 / (d2 - d6));
+    if (va <= 0.0 && d4 >= d3 && d5 >= d6) return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
+    const double total = va + vb + vc;
+    return a + ab * (vb / total) + ac * (vc / total);
+}
+
 }  // namespace
 
 std::size_t Globe::shapeOf(const Scene& scene) {
@@ -29,7 +48,11 @@ std::size_t Globe::shapeOf(const Scene& scene) {
 }
 
 Globe::Globe(const Shape& shape, const NodeGrid* nodes, const Relief& relief)
-    : nodes_(nodes), relief_(reliefOf(shape, relief)), object_from_world_(glm::inverse(shape.world_from_object)) {
+    : nodes_(nodes),
+      relief_(reliefOf(shape, relief)),
+      world_from_object_(shape.world_from_object),
+      object_from_world_(glm::inverse(shape.world_from_object)),
+      solid_(std::holds_alternative<DisplacedSphere>(shape.geometry)) {
     const dmat4& m = shape.world_from_object;
     centre_ = dvec3(m[3]);
     double longest = 0.0;
@@ -38,6 +61,23 @@ Globe::Globe(const Shape& shape, const NodeGrid* nodes, const Relief& relief)
     north_ = glm::normalize(dvec3(m[1]));
     origin_ = glm::normalize(dvec3(m[2]));
     east_ = glm::normalize(dvec3(m[0]));
+    if (const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry)) takePieces(*mesh);
+    if (const auto* disk = std::get_if<Disk>(&shape.geometry)) {
+        disk_ = *disk;
+        centre_ = transformPoint(m, dvec3(0.0, 0.0, disk->height));
+    }
+}
+
+void Globe::takePieces(const TriangleMesh& mesh) {
+    centre_ = transformPoint(world_from_object_, middleOf(mesh));
+    radius_ = 0.0;
+    for (const auto& corners : mesh.triangles) {
+        Triangle& piece = pieces_.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k) {
+            piece[k] = transformPoint(world_from_object_, mesh.points[std::size_t(corners[k])]);
+            radius_ = std::max(radius_, glm::length(piece[k] - centre_));
+        }
+    }
 }
 
 dvec3 Globe::objectDirection(const dvec3& world) const {
@@ -52,11 +92,12 @@ double Globe::rippleAt(const dvec3& object_direction) const {
     return 0.5 + 0.5 * std::sin(phase) * std::sin(fall);
 }
 
-// Bilinear between the nodes, also under a spline, of which that is within a texel's rise; a cap row is half as high.
+// What the surface is made of, as it is shown; between bilinear nodes a cap row is half as high.
 double Globe::storedAt(const dvec3& object_direction) const {
     if (nodes_->map().ripples) return rippleAt(object_direction);
     dvec3 d = glm::normalize(object_direction);
     double colatitude = std::acos(std::clamp(d.y, -1.0, 1.0));
+    if (relief_.filter == Filter::BSpline) return SplineNodes(*nodes_).value(std::atan2(d.x, d.z), colatitude);
     double column = nodes_->column(std::atan2(d.x, d.z)), row = nodes_->nodeRow(colatitude);
     int j = std::clamp(int(std::floor(row)), 0, nodes_->rows() - 1), width = nodes_->width();
     double north = nodes_->colatitude(j), south = nodes_->colatitude(j + 1);
@@ -79,12 +120,83 @@ double Globe::altitude(const dvec3& point) const {
     return distance > 0.0 ? distance - ground(point - centre_) : -radius_;
 }
 
+double Globe::distanceToDisk(const dvec3& point) const {
+    dvec3 p = transformPoint(object_from_world_, point);
+    dvec2 across(p.x, p.y);
+    const double distance = glm::length(across);
+    const double wanted = std::clamp(distance, disk_->inner_radius, disk_->radius);
+    across = distance > 0.0 ? across * (wanted / distance) : dvec2(wanted, 0.0);
+    return glm::length(point - transformPoint(world_from_object_, dvec3(across, disk_->height)));
+}
+
+double Globe::clearance(const dvec3& point) const {
+    if (disk_) return distanceToDisk(point);
+    if (round()) return solid_ ? altitude(point) : std::abs(altitude(point));
+    double nearest = glm::length(point - centre_) + radius_;
+    for (const Triangle& piece : pieces_)
+        nearest = std::min(nearest, glm::length(point - closestOnTriangle(point, piece)));
+    return nearest;
+}
+
+dvec3 Globe::direction(double latitude, double longitude) const {
+    const double lat = glm::radians(latitude), lon = glm::radians(longitude);
+    return glm::normalize(transformVector(
+        world_from_object_, dvec3(std::cos(lat) * std::sin(lon), std::sin(lat), std::cos(lat) * std::cos(lon))));
+}
+
 Place Globe::placeOf(const dvec3& point) const {
     dvec3 object = objectDirection(point - centre_);
     dvec3 d = glm::normalize(object);
     Place place{glm::degrees(std::asin(std::clamp(d.y, -1.0, 1.0))), glm::degrees(std::atan2(d.x, d.z)), {}};
     if (nodes_) place.stored = storedAt(object);
     return place;
+}
+
+Bodies::Bodies(std::vector<Globe> globes) : globes_(std::move(globes)) {
+    for (const Globe& globe : globes_) middle_ += globe.centre() / double(globes_.size());
+    for (const Globe& globe : globes_)
+        reach_ = std::max(reach_, glm::length(globe.centre() - middle_) + globe.radius());
+}
+
+double Bodies::clearance(const dvec3& point) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Globe& globe : globes_) nearest = std::min(nearest, globe.clearance(point));
+    return nearest;
+}
+
+// Strides of half the room, since ground may rise faster than it is near.
+dvec3 Bodies::wayTo(const dvec3& from, const dvec3& to, double lowest) const {
+    struct Hold {
+        const Globe* globe;
+        double nearest;
+    };
+    std::vector<Hold> holds;
+    for (const Globe& globe : globes_)
+        if (const double clear = globe.clearance(from); clear > 0.0)
+            holds.push_back({&globe, std::min(lowest * globe.radius(), 0.5 * clear)});
+    const double length = glm::length(to - from);
+    double done = 0.0;
+    for (int i = 0; i < 200; ++i) {
+        const dvec3 point = from + (to - from) * (done / length);
+        double room = std::numeric_limits<double>::infinity();
+        for (const Hold& hold : holds) room = std::min(room, hold.globe->clearance(point) - hold.nearest);
+        if (room >= length - done) return to;
+        if (room <= 1e-9 * length) break;
+        done += 0.5 * room;
+    }
+    return from + (to - from) * (done / length);
+}
+
+dvec3 Bodies::outOfGround(const dvec3& eye, double lowest) const {
+    dvec3 result = eye;
+    for (const Globe& globe : globes_) {
+        const dvec3 outward = result - globe.centre();
+        const double distance = glm::length(outward);
+        if (!globe.solid() || !(distance > 0.0)) continue;
+        const double least = globe.ground(outward) + lowest * globe.radius();
+        if (distance < least) result = globe.centre() + outward * (least / distance);
+    }
+    return result;
 }
 
 }  // namespace dsphere::viewer

@@ -2,6 +2,8 @@
 
 #include "base/error.h"
 
+#include <nlohmann/json.hpp>
+
 namespace dsphere::viewer {
 
 Journal::Journal(const std::string& path) {
@@ -10,22 +12,11 @@ Journal::Journal(const std::string& path) {
     if (!file_) throwFailure("{}: {}", path, lastSystemError());
 }
 
-void Journal::write(const std::string& line) {
+void Journal::write(const nlohmann::json& line) {
     if (!file_) return;
-    std::fputs((line + "\n").c_str(), file_.get());
+    // File names may hold any bytes.
+    std::fputs((line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n").c_str(), file_.get());
     std::fflush(file_.get());
-}
-
-std::string jsonQuoted(const std::string& text) {
-    std::string result = "\"";
-    for (char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        if (c == '\n')
-            result += "\\n";
-        else
-            result += c;
-    }
-    return result + '"';
 }
 
 }  // namespace dsphere::viewer

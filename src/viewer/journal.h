@@ -1,5 +1,7 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -13,7 +15,7 @@ class Journal {
     explicit Journal(const std::string& path);
 
     bool on() const { return file_ != nullptr; }
-    void write(const std::string& line);
+    void write(const nlohmann::json& line);
 
   private:
     struct Close {
@@ -21,8 +23,5 @@ class Journal {
     };
     std::unique_ptr<std::FILE, Close> file_;
 };
-
-/// Text as a JSON string.
-std::string jsonQuoted(const std::string& text);
 
 }  // namespace dsphere::viewer

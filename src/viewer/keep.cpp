@@ -41,27 +41,28 @@ Scene explicitScene(const Document& document) {
 
 }  // namespace
 
-// NAME-1, NAME-2 ... in the working folder: the first that neither a picture nor a scene has, since a scene that is
-// saved names the picture of its own number as its film.
-std::filesystem::path App::freeName(const char* extension) const {
-    const std::string stem = std::filesystem::path(stage_->document().path).stem().string();
-    const auto taken = [](const std::string& name) {
-        std::error_code ignored;
-        return std::filesystem::exists(std::filesystem::symlink_status(name, ignored));
-    };
+// NAME-1, NAME-2 ... in the working folder: the first that neither a picture nor a scene has, so that what a saved
+// scene renders to is never there already.
+std::string App::freeName() const {
+    std::string stem = std::filesystem::path(stage_->document().path).stem().string();
+    if (stem.empty() || stem == "-") stem = "scene";
     for (int n = 1;; ++n) {
         const std::string name = fmt::format("{}-{}", stem, n);
-        if (!taken(name + ".png") && !taken(name + ".pbrt")) return name + extension;
+        const auto is_free = [&](const char* extension) {
+            std::error_code error;
+            return !std::filesystem::exists(std::filesystem::symlink_status(name + extension, error));
+        };
+        if (is_free(".png") && is_free(".exr") && is_free(".pbrt")) return name;
     }
 }
 
 void App::takeScreenshot() {
     screenshot_wanted_ = false;
     try {
-        std::filesystem::path path = freeName(".png");
+        const std::filesystem::path path = freeName() + ".png";
         LiveFilm& film = stage_->film();
-        if (view_.show == Show::Colour) {
-            writePng(path, film.read(), {.exposure = double(tone_.exposure)});
+        if (chosen_.view.show == Show::Colour) {
+            writePng(path, film.read(), {.exposure = double(chosen_.tone.exposure)});
         } else {
             publish();
             std::vector<std::uint32_t> codes(std::size_t(film.width()) * std::size_t(film.height()));
@@ -71,25 +72,25 @@ void App::takeScreenshot() {
         say(fmt::format("Wrote {}, {} sample{} a pixel, into {}", path.string(), film.samples(),
                         film.samples() == 1 ? "" : "s", std::filesystem::current_path().string()));
     } catch (const Error& error) {
-        say(error.what(), true);
+        say(error.what(), Message::Kind::Error);
     }
 }
 
 void App::saveScene() {
-    std::filesystem::path path = freeName(".pbrt");
+    const std::filesystem::path path = freeName() + ".pbrt";
     Scene scene = explicitScene(stage_->document());
     scene.camera = control_->camera();
-    scene.film.width = window_.width();
-    scene.film.height = window_.height();
+    scene.film.width = pictureSize()[0];
+    scene.film.height = pictureSize()[1];
     scene.film.filename = path.stem().string() + ".png";
     scene.sampler.pixel_samples = options_.samples.value_or(targetSamples());
     // What scene files have no word for.
     std::string options;
-    if (tone_.exposure != 0.0f) options += fmt::format(" --exposure {}", tone_.exposure);
-    if (view_.method.marcher != Marcher::Exact)
-        options += fmt::format(" --marcher {}", kMarcherNames[int(view_.method.marcher)]);
-    else if (view_.method.detail > 0.0f)
-        options += fmt::format(" --detail {}", view_.method.detail);
+    if (chosen_.tone.exposure != 0.0f) options += fmt::format(" --exposure {}", chosen_.tone.exposure);
+    if (chosen_.view.method.marcher != Marcher::Exact)
+        options += fmt::format(" --marcher {}", kMarcherNames[int(chosen_.view.method.marcher)]);
+    else if (chosen_.view.method.detail > 0.0f)
+        options += fmt::format(" --detail {}", chosen_.view.method.detail);
     const std::string command = fmt::format("dsphere render {}{}", path.string(), options);
     AtomicFile file(path);
     const std::string text =
@@ -97,6 +98,7 @@ void App::saveScene() {
                     stage_->document().path, command, sceneText(scene, std::filesystem::current_path()));
     file.write(text.data(), text.size());
     file.commit();
+    saved_edits_ = shown_edits_;
     say(fmt::format("Wrote {} into {}\n{}", path.string(), std::filesystem::current_path().string(), command));
 }
 

@@ -2,129 +2,170 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
+#include <string_view>
 
-#include "scene/ramps.h"
-#include "viewer/ui.h"
+#include "viewer/rows.h"
 
 namespace dsphere::viewer {
 
 namespace {
 
-void heading(const char* text) {
-    ImGui::Dummy(ImVec2(0.0f, 0.1f * ImGui::GetFontSize()));
-    ImGui::TextColored(ImVec4(0.45f, 0.70f, 1.0f, 1.0f), "%s", text);
+constexpr float kLabelShare = 0.36f, kSliderShare = 0.34f;
+
+void showTip(const char* tip) {
+    if (!ImGui::IsItemHovered()) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(22.0f * ImGui::GetFontSize());
+    ImGui::TextUnformatted(tip);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
 }
 
-bool slider(const char* name, double& value, double low, double high, const char* format,
-            ImGuiSliderFlags flags = ImGuiSliderFlags_None) {
-    return ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &low, &high, format, flags);
+/// What a row shows where nothing has been changed since the file was opened.
+Subject untouched(const Ui& ui) {
+    Subject subject = ui.subject;
+    subject.state = ui.untouched;
+    subject.state.target = ui.subject.state.target;
+    return subject;
 }
 
-// Pixels that the surface may be off where texels are smaller than pixels.
-void detailChoice(float& detail) {
-    constexpr float kPixels[] = {0.0f, 0.5f, 1.0f, 2.0f};
-    int chosen = int(std::ranges::lower_bound(kPixels, detail) - std::begin(kPixels));
-    if (ImGui::Combo("detail", &chosen, "exact\0half a pixel\0one pixel\0two pixels\0")) detail = kPixels[chosen];
-}
-
-void marchSection(Ui& ui) {
-    heading("Marcher");
-    int marcher = int(ui.view.method.marcher);
-    if (ImGui::Combo("marcher", &marcher, kMarcherNames, IM_ARRAYSIZE(kMarcherNames)))
-        ui.view.method.marcher = Marcher(marcher);
-    if (ui.view.method.marcher == Marcher::Exact) detailChoice(ui.view.method.detail);
-    ImGui::Checkbox("split: naive | this", &ui.view.split);
-    int show = int(ui.view.show);
-    if (ImGui::Combo("value", &show, kShowNames, kShowCount)) ui.view.show = Show(show);
-    if (ui.view.show == Show::Steps)
-        ImGui::SliderFloat("red at", &ui.tone.most_steps, 5.0f, 5000.0f, "%.0f steps", ImGuiSliderFlags_Logarithmic);
-}
-
-void reliefSection(Ui& ui) {
-    if (!ui.displaced) return;
-    heading("Relief");
-    slider("exaggeration", ui.tuning.exaggeration, 0.0, 10.0, "%.2f", ImGuiSliderFlags_None);
-    slider("midlevel", ui.tuning.midlevel, -1.0, 1.0, "%.3f");
-    if (ui.ripples) return;
-    int filter = int(ui.tuning.filter);
-    if (ImGui::Combo("filter", &filter, "bilinear\0bspline\0")) ui.tuning.filter = Filter(filter);
-}
-
-void lightSection(Ui& ui) {
-    heading("Light");
-    if (ui.sun) {
-        slider("sun longitude", ui.sun->longitude, -180.0, 180.0, "%.1f°");
-        slider("sun latitude", ui.sun->latitude, -90.0, 90.0, "%.1f°");
-    } else {
-        ImGui::TextDisabled("the scene has no distant light");
-    }
-    ImGui::SliderFloat("exposure", &ui.tone.exposure, -6.0f, 6.0f, "%+.2f stops");
-}
-
-void materialSection(Ui& ui) {
-    if (!ui.material) return;
-    heading("Material");
-    Texture& texture = *ui.material;
-    std::string current = "colour Kd";
-    if (const auto* ramp = std::get_if<HeightRamp>(&texture)) current = ramp->ramp;
-    if (std::holds_alternative<ImageMap>(texture)) current = "image";
-    if (std::holds_alternative<Checkerboard>(texture)) current = "checkerboard";
-    if (ImGui::BeginCombo("material", current.c_str())) {
-        if (ImGui::Selectable("colour Kd", std::holds_alternative<ConstantColour>(texture))) texture = ConstantColour{};
-        if (ui.displaced)
-            for (const Ramp& ramp : ramps()) {
-                std::string name(ramp.name);
-                if (ImGui::Selectable(name.c_str(), name == current)) texture = HeightRamp{.ramp = name};
-            }
-        if (ui.image && ImGui::Selectable("image", current == "image")) texture = *ui.image;
-        ImGui::EndCombo();
-    }
-    if (auto* constant = std::get_if<ConstantColour>(&texture)) {
-        float rgb[3] = {float(constant->rgb.x), float(constant->rgb.y), float(constant->rgb.z)};
-        if (ImGui::ColorEdit3("Kd", rgb, ImGuiColorEditFlags_Float))
-            constant->rgb = {double(rgb[0]), double(rgb[1]), double(rgb[2])};
-    }
-}
-
-void keepSection(Ui& ui) {
-    heading("Keep");
-    if (ImGui::Button("Screenshot")) ui.command = Command::Screenshot;
+// The number stands beside the slider, so that the knob never covers it, and can be typed there.
+void drawControl(Ui& ui, const Row& row, const NumberRow& number) {
+    Subject& subject = ui.subject;
+    const std::string id = row.label;
+    double value = number.get(subject);
+    const float wide = ImGui::GetContentRegionAvail().x;
+    ImGui::SetNextItemWidth(kSliderShare / (1.0f - kLabelShare) * wide);
+    const ImGuiSliderFlags flags = number.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
+    const bool slid = ImGui::SliderScalar(("##" + id).c_str(), ImGuiDataType_Double, &value, &number.low, &number.high,
+                                          "", flags | ImGuiSliderFlags_NoInput);
+    notePlace(ui, id);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) ui.resetting = id;
+    if (ui.resetting == id)
+        number.set(subject, number.get(untouched(ui)));
+    else if (slid)
+        number.set(subject, value);
+    showTip((std::string(row.tip) + "\nDouble click: as the file was opened.").c_str());
     ImGui::SameLine();
-    if (ImGui::Button("Copy camera")) ui.command = Command::CopyCamera;
-    if (ImGui::Button("Save scene")) ui.command = Command::SaveScene;
-    ImGui::SameLine();
-    if (ImGui::Button("Reset view")) ui.command = Command::Reset;
+    value = number.get(subject);
+    ImGui::SetNextItemWidth(-1.0f);
+    if (ImGui::InputScalar(("##value of " + id).c_str(), ImGuiDataType_Double, &value, nullptr, nullptr, number.format,
+                           ImGuiInputTextFlags_CharsScientific | ImGuiInputTextFlags_AutoSelectAll))
+        number.set(subject, value);
+    notePlace(ui, id + " value");
+    showTip(row.tip);
 }
 
-void figuresSection(const Figures& figures) {
-    heading("Figures");
-    ImGui::TextDisabled("%s",
-                        fmt::format("{}\n{}x{}, sample {} of {}\n{:.1f} ms a frame, {:.1f} M rays/s", figures.device,
-                                    figures.width, figures.height, figures.samples, figures.target_samples,
-                                    1e3 * figures.frame_seconds, 1e-6 * figures.rays_per_second)
-                            .c_str());
+void drawControl(Ui& ui, const Row& row, const ChoiceRow& choice) {
+    const std::vector<std::string> names = choice.names(ui.subject);
+    const int chosen = choice.get(ui.subject);
+    ImGui::SetNextItemWidth(-1.0f);
+    const char* shown = chosen < int(names.size()) ? names[std::size_t(chosen)].c_str() : "";
+    const bool open = ImGui::BeginCombo((std::string("##") + row.label).c_str(), shown);
+    if (!open) {
+        notePlace(ui, row.label);
+        showTip(row.tip);
+        return;
+    }
+    for (int k = 0; k < int(names.size()); ++k) {
+        if (ImGui::Selectable(names[std::size_t(k)].c_str(), k == chosen) && k != chosen) choice.set(ui.subject, k);
+        notePlace(ui, std::string(row.label) + "/" + names[std::size_t(k)]);
+    }
+    ImGui::EndCombo();
+}
+
+void drawControl(Ui& ui, const Row& row, const SwitchRow& toggle) {
+    bool on = toggle.get(ui.subject);
+    if (ImGui::Checkbox((std::string("##") + row.label).c_str(), &on)) toggle.set(ui.subject, on);
+    notePlace(ui, row.label);
+    showTip(row.tip);
+}
+
+void drawControl(Ui& ui, const Row& row, const ColourRow& colour) {
+    const dvec3 value = colour.get(ui.subject);
+    float rgb[3] = {float(value.x), float(value.y), float(value.z)};
+    ImGui::SetNextItemWidth(-1.0f);
+    if (ImGui::ColorEdit3((std::string("##") + row.label).c_str(), rgb, ImGuiColorEditFlags_Float))
+        colour.set(ui.subject, dvec3(double(rgb[0]), double(rgb[1]), double(rgb[2])));
+    notePlace(ui, row.label);
+    showTip(row.tip);
+}
+
+void drawRow(Ui& ui, const Row& row) {
+    const float start = ImGui::GetCursorPosX(), wide = ImGui::GetContentRegionAvail().x;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(row.label);
+    showTip(row.tip);
+    ImGui::SameLine(start + kLabelShare * wide);
+    std::visit([&](const auto& control) { drawControl(ui, row, control); }, row.control);
+}
+
+void drawSections(Ui& ui) {
+    std::string_view section;
+    bool open = false;
+    for (const Row& row : panelRows()) {
+        if (!row.applies(ui.subject)) continue;
+        if (section != row.section) {
+            section = row.section;
+            const bool first = section != "Advanced";
+            open =
+                ImGui::CollapsingHeader(row.section, first ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+            notePlace(ui, row.section);
+        }
+        if (open) drawRow(ui, row);
+    }
+}
+
+void commandButton(Ui& ui, const char* name, const char* tip, Command command) {
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const float wide = ImGui::CalcTextSize(name).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+    if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + wide < right) ImGui::SameLine();
+    if (ImGui::Button(name)) ui.command = command;
+    notePlace(ui, name);
+    showTip(tip);
+}
+
+void drawButtons(Ui& ui) {
+    ImGui::Separator();
+    ImGui::Dummy(ImVec2(ImGui::GetContentRegionAvail().x, 0.0f));
+    commandButton(ui, "Screenshot", "Writes the picture as `dsphere render` makes it (F12).", Command::Screenshot);
+    commandButton(ui, "Save scene", "Writes a scene file with this camera and these settings (Ctrl + S).",
+                  Command::SaveScene);
+    commandButton(ui, "Copy camera", "Puts the camera on the clipboard as pbrt text (Ctrl + C).", Command::CopyCamera);
+    commandButton(ui, "First view", "Back to where the view began (R).", Command::ResetView);
+    commandButton(ui, "Undo", "Takes the last change back (Ctrl + Z).", Command::Undo);
+    commandButton(ui, "Redo", "Does it again (Ctrl + Shift + Z).", Command::Redo);
+    commandButton(ui, "Reset all", "All settings as the file was opened; the view stays.", Command::ResetAll);
+}
+
+void drawFigures(const Figures& figures) {
+    ImGui::Separator();
+    ImGui::TextDisabled("%s", figures.device.c_str());
+    ImGui::TextDisabled("%s", fmt::format("{}x{}, sample {} of {}", figures.width, figures.height, figures.samples,
+                                          figures.target_samples)
+                                  .c_str());
+    ImGui::TextDisabled("%s", fmt::format("{:.1f} ms a frame, {:.1f} M rays/s", 1e3 * figures.frame_seconds,
+                                          1e-6 * figures.rays_per_second)
+                                  .c_str());
 }
 
 }  // namespace
 
-void drawPanel(Ui& ui, int width, int height, double scale) {
-    float pad = 12.0f * float(scale), wide = std::min(330.0f * float(scale), float(width) - 2.0f * pad);
-    float most = float(height - statusHeight(scale)) - 2.0f * pad;
-    ImGui::SetNextWindowPos(ImVec2(float(width) - pad, pad), ImGuiCond_Always, ImVec2(1.0f, 0.0f));
+void drawPanel(Ui& ui, const Extent& window) {
+    const float pad = 12.0f * float(window.scale), width = float(window.width);
+    const float wide = std::min(380.0f * float(window.scale), width - 2.0f * pad);
+    const float most = float(window.height - statusHeight(window.scale)) - 2.0f * pad;
+    ImGui::SetNextWindowPos(ImVec2(width - pad, pad), ImGuiCond_Appearing, ImVec2(1.0f, 0.0f));
     ImGui::SetNextWindowSizeConstraints(ImVec2(wide, 0.0f), ImVec2(wide, most));
-    ImGui::Begin("Panel", &ui.panel_open,
-                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                     ImGuiWindowFlags_NoSavedSettings);
-    ImGui::PushItemWidth(0.58f * ImGui::GetContentRegionAvail().x);
-    marchSection(ui);
-    reliefSection(ui);
-    lightSection(ui);
-    materialSection(ui);
-    keepSection(ui);
-    figuresSection(ui.figures);
-    ImGui::PopItemWidth();
+    const std::string title =
+        ui.subject.original ? "Panel: " + shapeName(*ui.subject.original, ui.subject.state.target) : "Panel";
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) ui.resetting.clear();
+    if (ImGui::Begin((title + "###panel").c_str(), &ui.panel_open,
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) {
+        if (ui.subject.original) drawSections(ui);
+        drawButtons(ui);
+        drawFigures(ui.figures);
+    }
     ImGui::End();
 }
 

@@ -32,19 +32,20 @@ void Stage::setCamera(const Camera& camera, int width, int height) {
     renderer_.setCamera(scene);
 }
 
-void Stage::updateLook() {
-    packLook(document_->packed, document_->scene, document_->maps);
+void Stage::updateLook(const Scene& scene) {
+    Scene& shown = document_->scene;
+    shown.lights = scene.lights;
+    for (std::size_t i = 0; i < shown.shapes.size(); ++i) shown.shapes[i].material = scene.shapes[i].material;
+    packLook(document_->packed, shown, document_->maps);
     renderer_.update(false);
 }
 
-void Stage::updateRelief(PackedScene packed, const Tuning& tuning) {
+void Stage::updateRelief(PackedScene packed, const Scene& scene) {
     Document& document = *document_;
     document.packed = std::move(packed);
-    Scene scene = tuned(document.original, tuning);
-    for (std::size_t i = 0; i < scene.shapes.size(); ++i) document.scene.shapes[i].geometry = scene.shapes[i].geometry;
-    document.tuning = tuning;
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) document.scene.shapes[i] = scene.shapes[i];
+    document.scene.lights = scene.lights;
     document.locate();
-    packLook(document.packed, document.scene, document.maps);
     packCamera(document.packed, document.scene);
     film_.reset();  // it may hold a pipeline that goes
     renderer_.update(true);

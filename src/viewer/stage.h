@@ -20,10 +20,10 @@ class Stage {
 
     /// Gives the renderer this camera and a film of width x height.
     void setCamera(const Camera& camera, int width, int height);
-    /// After a change of lights or of constant and ramp colours of the document's scene.
-    void updateLook();
-    /// Takes a new packing that retune() made.
-    void updateRelief(PackedScene packed, const Tuning& tuning);
+    /// Takes the lights and the constant and ramp colours of a scene.
+    void updateLook(const Scene& scene);
+    /// Takes a new packing that retune() made of this scene's reliefs.
+    void updateRelief(PackedScene packed, const Scene& scene);
 
     /// Room for pictures of `show` of width x height; true if the old film had to go.
     bool prepareFilm(Show show, int width, int height);

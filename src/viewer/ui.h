@@ -1,62 +1,97 @@
 #pragma once
 
-#include "scene/scene.h"
-#include "viewer/document.h"
-#include "viewer/show.h"
+#include "viewer/globe.h"
+#include "viewer/keytable.h"
+#include "viewer/state.h"
 
+#include <array>
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dsphere::viewer {
 
-/// What a click or a key asks for, once.
-enum class Command { None, CopyCamera, SaveScene, Screenshot, Reset, Close };
-
-/// Towards the sun, as seen from the globe's centre: degrees.
+/// A direction as seen from a globe's centre: degrees.
 struct SunAngles {
     double latitude = 0.0, longitude = 0.0;
 
     bool operator==(const SunAngles&) const = default;
 };
 
+SunAngles anglesOf(const Globe& globe, const dvec3& direction);
+dvec3 directionOf(const Globe& globe, const SunAngles& angles);
+
 /// What the status bar and the panel tell.
 struct Figures {
     std::string file, device;
     int samples = 0, target_samples = 0, width = 0, height = 0;
     double frame_seconds = 0.0, rays_per_second = 0.0;
-    bool moving = false, busy = false;
-    float u = 1.0f, v = 1.0f;  ///< the part of the picture's texture that is in use
-    std::string hover;         ///< of what is under the cursor; empty beside the planet
+    bool moving = false;
+    std::string busy;           ///< what is being done on another thread; empty: nothing
+    double busy_seconds = 0.0;  ///< since when
+    float u = 1.0f, v = 1.0f;   ///< the part of the picture's texture that is in use
+    std::string hover;          ///< of what is under the cursor; empty beside all objects
 };
 
-/// All that the panels show and change. The viewer compares what it had with what comes back.
+/// A message that came up; warnings and errors stay until they are dismissed.
+struct Message {
+    enum class Kind { Said, Warning, Error };
+
+    std::string text;
+    Kind kind = Kind::Said;
+    double until = 0.0;  ///< the window's time when it goes, of what was only said
+    double alpha = 1.0;
+
+    bool stays() const { return kind != Kind::Said; }
+};
+
+/// Where a control of the last frame is, by its label, in pixels: x0, y0, x1, y1.
+using Places = std::vector<std::pair<std::string, std::array<float, 4>>>;
+
+/// What the panel's rows show and change.
+struct Subject {
+    State state;
+    const Scene* original = nullptr;  ///< as the file says it; null before one is open
+    const Globe* globe = nullptr;     ///< of the target
+
+    const Shape& shape() const { return original->shapes[state.target]; }
+    ShapeEdits& edits() { return state.edits.shapes[state.target]; }
+    const ShapeEdits& edits() const { return state.edits.shapes[state.target]; }
+};
+
+/// All that the panels show and change. The viewer takes what comes back as the new state.
 struct Ui {
-    ViewSettings view;
-    ToneSettings tone;
-    Tuning tuning;
-    bool ripples = false;             ///< the globe has no map, and so no filter
-    std::optional<Texture> material;  ///< the texture of the globe's; unset: a metal or a mirror has none
-    std::optional<ImageMap> image;    ///< that the file gives the globe
-    std::optional<SunAngles> sun;     ///< unset: the scene has no distant light
-    bool panel_open = false, keys_open = false;
-    bool let_go = false;     ///< the next frame closes open lists
-    bool displaced = false;  ///< the globe has a relief
-    std::string message;     ///< a line that came up; an error stays until it is dismissed
+    Subject subject;
+    State untouched;  ///< as the file was opened: what reset goes back to
+    bool panel_open = false, keys_open = false, closing = false;
+    bool let_go = false;  ///< the next frame closes open lists
     bool has_picture = false;
-    bool message_is_error = false;
-    double message_alpha = 1.0;
+    Message message;
     Command command = Command::None;
     Figures figures;
+    Places places;
+    std::string resetting;  ///< the row whose slider is being reset, until the mouse is let go
 };
 
-/// Lays out one frame of the window, of width x height pixels; `scale` is the display's.
-void layOut(Ui& ui, int width, int height, double scale);
+/// The window in pixels, and the display's scale.
+struct Extent {
+    int width, height;
+    double scale;
+};
+
+/// Lays out one frame of the window.
+void layOut(Ui& ui, const Extent& window);
 
 // The parts of it:
-void drawStatusBar(Ui& ui, int width, int height, double scale);
-void drawPanel(Ui& ui, int width, int height, double scale);
-void drawKeys(Ui& ui, int width, int height, double scale);
-void drawMessage(Ui& ui, int width, int height, double scale);
+void drawStatusBar(Ui& ui, const Extent& window);
+void drawPanel(Ui& ui, const Extent& window);
+void drawKeys(Ui& ui, const Extent& window);
+void drawMessage(Ui& ui, const Extent& window);
+void drawClosing(Ui& ui, const Extent& window);
+
+/// Remembers where the control that was just laid out is.
+void notePlace(Ui& ui, const std::string& label);
 
 /// The height of the status bar in pixels.
 int statusHeight(double scale);

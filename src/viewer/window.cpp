@@ -8,10 +8,13 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace dsphere::viewer {
 
 namespace {
+
+constexpr double kLeastScale = 0.5, kGreatestScale = 4.0;  // of a display
 
 std::string lastGlfwError() {
     const char* text = nullptr;
@@ -49,12 +52,21 @@ struct Callbacks {
         window.cursor_ = dvec2(x, y) * window.pixels_per_unit_;
         add(window, {.kind = Event::Move}, 0);
     }
+    static void enter(GLFWwindow* handle, int entered) {
+        of(handle).cursor_within_ = entered;
+        add(of(handle), {.kind = entered ? Event::Move : Event::Leave}, 0);
+    }
+    static void character(GLFWwindow* handle, unsigned int code) {
+        add(of(handle), {.kind = Event::Character, .code = int(code)}, 0);
+    }
     static void scroll(GLFWwindow* handle, double, double y) {
         add(of(handle), {.kind = Event::Scroll, .steps = y}, 0);
     }
     static void key(GLFWwindow* handle, int key, int, int action, int mods) {
-        if (action == GLFW_REPEAT) return;
-        add(of(handle), {.kind = action == GLFW_PRESS ? Event::KeyDown : Event::KeyUp, .code = key}, mods);
+        // Repeats are for what is typed into; held keys are counted by time.
+        Event event{.kind = action == GLFW_RELEASE ? Event::KeyUp : Event::KeyDown, .code = key};
+        event.repeated = action == GLFW_REPEAT;
+        add(of(handle), event, mods);
     }
     static void drop(GLFWwindow* handle, int count, const char** paths) {
         if (count > 0) add(of(handle), {.kind = Event::Drop, .path = paths[0]}, 0);
@@ -69,7 +81,7 @@ struct Callbacks {
     }
 };
 
-Window::Window(int width, int height, const std::string& title) {
+Window::Window(int width, int height, const std::string& title, int below) {
     if (!glfwInit()) throwNoWindow(lastGlfwError());
     if (!glfwVulkanSupported()) {
         std::string reason = lastGlfwError();
@@ -77,8 +89,12 @@ Window::Window(int width, int height, const std::string& title) {
         throwNoWindow(reason);
     }
     int x = 0, y = 0, most_width = width, most_height = height;
-    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor())
+    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+        float x_scale = 1.0f, y_scale = 1.0f;
         glfwGetMonitorWorkarea(monitor, &x, &y, &most_width, &most_height);
+        glfwGetMonitorContentScale(monitor, &x_scale, &y_scale);
+        height += int(std::round(below * std::clamp(double(x_scale), kLeastScale, kGreatestScale)));
+    }
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     window_ = glfwCreateWindow(std::clamp(width, 320, std::max(320, most_width)),
                                std::clamp(height, 240, std::max(240, most_height)), title.c_str(), nullptr, nullptr);
@@ -90,6 +106,8 @@ Window::Window(int width, int height, const std::string& title) {
     glfwSetWindowUserPointer(window_, this);
     glfwSetMouseButtonCallback(window_, Callbacks::button);
     glfwSetCursorPosCallback(window_, Callbacks::move);
+    glfwSetCursorEnterCallback(window_, Callbacks::enter);
+    glfwSetCharCallback(window_, Callbacks::character);
     glfwSetScrollCallback(window_, Callbacks::scroll);
     glfwSetKeyCallback(window_, Callbacks::key);
     glfwSetDropCallback(window_, Callbacks::drop);
@@ -134,8 +152,21 @@ bool Window::closing() const {
     return glfwWindowShouldClose(window_);
 }
 
-void Window::close() {
-    glfwSetWindowShouldClose(window_, GLFW_TRUE);
+void Window::close(bool really) {
+    glfwSetWindowShouldClose(window_, really);
+}
+
+void Window::switchFullScreen() {
+    if (glfwGetWindowMonitor(window_)) {
+        glfwSetWindowMonitor(window_, nullptr, windowed_[0], windowed_[1], windowed_[2], windowed_[3], 0);
+        return;
+    }
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (!monitor) return;
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    glfwGetWindowPos(window_, &windowed_[0], &windowed_[1]);
+    glfwGetWindowSize(window_, &windowed_[2], &windowed_[3]);
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
 double Window::now() const {
@@ -145,7 +176,7 @@ double Window::now() const {
 double Window::scale() const {
     float x = 1.0f, y = 1.0f;
     glfwGetWindowContentScale(window_, &x, &y);
-    return std::clamp(double(x), 0.5, 4.0);
+    return std::clamp(double(x), kLeastScale, kGreatestScale);
 }
 
 bool Window::isDown(int key) const {

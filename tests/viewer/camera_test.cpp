@@ -1,6 +1,7 @@
 #include "viewer/camera.h"
 
 #include "scene/parser.h"
+#include "scene/transforms.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ constexpr int kWidth = 640, kHeight = 360;
 /// A unit sphere at the origin, under each camera's own text.
 struct View {
     Scene scene;
-    Globe globe;
+    std::shared_ptr<const Bodies> bodies;
     CameraControl control;
 
     explicit View(const std::string& camera)
@@ -22,8 +23,13 @@ struct View {
                                "\nFilm \"rgb\" \"integer xresolution\" 640 \"integer yresolution\" 360\nWorldBegin\n"
                                "Shape \"displacedsphere\"\n",
                            "v.pbrt", {})),
-          globe(scene.shapes[0], nullptr, {}),
-          control(scene.camera, scene.film, globe) {}
+          bodies(std::make_shared<const Bodies>(std::vector{Globe(scene.shapes[0], nullptr, {})})),
+          control(scene.camera, scene.film, bodies, 0) {}
+
+    void grab(const dvec2& cursor) {
+        const std::optional<dvec3> point = under(cursor);
+        control.grab(cursor, point ? std::optional(Hit{*point, 0}) : std::nullopt);
+    }
 
     /// The near point of the unit sphere under the cursor.
     std::optional<dvec3> under(const dvec2& cursor) const {
@@ -53,7 +59,7 @@ TEST_P(Cameras, TheGrabbedGroundStaysUnderTheCursor) {
     std::optional<dvec3> grabbed = view.under(from);
     ASSERT_TRUE(grabbed);
     const double level = view.level();
-    view.control.grab(from, grabbed);
+    view.grab(from);
     for (dvec2 to : {dvec2(350.0, 170.0), dvec2(330.0, 200.0), dvec2(300.5, 140.25), dvec2(372.0, 215.0)}) {
         view.control.orbitTo(to);
         EXPECT_LT(glm::length(view.project(*grabbed) - to), 1e-6) << to.x << ' ' << to.y;
@@ -68,7 +74,7 @@ TEST_P(Cameras, PanningHoldsThePointToo) {
     View view(GetParam());
     const dvec2 from(330.0, 170.0), to(410.0, 120.0);
     std::optional<dvec3> grabbed = view.under(from);
-    view.control.grab(from, grabbed);
+    view.grab(from);
     view.control.panTo(to);
     EXPECT_LT(glm::length(view.project(*grabbed) - to), 1e-6);
     EXPECT_NEAR(glm::length(Pose::of(view.control.camera()).ahead - Pose::of(view.scene.camera).ahead), 0.0, 1e-12);
@@ -87,9 +93,9 @@ TEST_P(Cameras, ZoomKeepsWhatIsUnderTheCursorThere) {
 TEST_P(Cameras, HandednessAndResetAreExact) {
     View view(GetParam());
     const double hand = Pose::of(view.scene.camera).handedness();
-    view.control.grab({300.0, 100.0}, view.under({330.0, 170.0}));
+    view.grab({330.0, 170.0});
     view.control.orbitTo({400.0, 150.0});
-    view.control.axisView(7);
+    view.control.axisView(Side::North);
     EXPECT_EQ(Pose::of(view.control.camera()).handedness(), hand);
     view.control.reset();
     EXPECT_EQ(view.control.camera(), view.scene.camera);
@@ -110,13 +116,83 @@ TEST(CameraControl, NeverGoesThroughTheGround) {
     EXPECT_GE(view.control.altitude(), 0.999 * CameraControl::kLowest);
 }
 
-TEST(CameraControl, ReachesAMillionRadiiAndComesBack) {
+TEST(CameraControl, ZoomsOutWhileThePlanetIsSeenAndComesBack) {
     View view(kCameras[0]);
     const dvec2 cursor(320.0, 180.0);
     for (int i = 0; i < 120; ++i) view.control.zoom(cursor, view.under(cursor), -1.0);
-    EXPECT_NEAR(view.control.altitude() / CameraControl::kHighest, 1.0, 1e-3);
+    const Pose pose = Pose::of(view.control.camera());
+    const double rim = glm::length(view.project(glm::normalize(pose.up)) - view.project(dvec3(0.0)));
+    EXPECT_NEAR(2.0 * rim, CameraControl::kFewestPixels, 0.1);
     for (int i = 0; i < 160; ++i) view.control.zoom({400.0, 200.0}, view.under({400.0, 200.0}), 1.0);
     EXPECT_LT(view.control.altitude(), 2.0);
+}
+
+// The sky that was grabbed near the ground stays under the cursor, about, and the eye stays where it is.
+TEST(CameraControl, TheSkyNearTheGroundLooksAround) {
+    for (const char* mirrored : {"", "Scale -1 1 1 "}) {
+        View view(std::string(mirrored) + "LookAt 0 0 1.1  0.4 0 1.1  0 0 1 Camera \"perspective\" \"float fov\" 60");
+        const dvec2 from(300.0, 40.0);
+        ASSERT_FALSE(view.under(from));
+        const dvec3 eye = Pose::of(view.control.camera()).eye, sky = eye + 1e3 * view.control.rayAt(from).direction;
+        const double level = view.level();
+        view.grab(from);
+        for (dvec2 to : {dvec2(330.0, 40.0), dvec2(300.0, 70.0), dvec2(250.0, 55.0)}) {
+            view.control.orbitTo(to);
+            EXPECT_LT(glm::length(view.project(sky) - to), 6.0) << mirrored << to.x << ' ' << to.y;
+            EXPECT_LT(glm::length(Pose::of(view.control.camera()).eye - eye), 1e-9);
+            EXPECT_NEAR(view.level(), level, 0.05) << "the horizon does not roll";
+        }
+        view.control.tiltTo({300.0, 60.0});
+        EXPECT_LT(glm::length(Pose::of(view.control.camera()).eye - eye), 1e-9) << "tilting too";
+        view.control.panTo({310.0, 40.0});
+        EXPECT_LT(glm::length(Pose::of(view.control.camera()).eye - eye), 0.1)
+            << "and what moves is as far as the ground";
+    }
+}
+
+// A hill above the eye: the ball that it lies on has the eye inside.
+TEST(CameraControl, GroundAboveTheEyeLooksAround) {
+    View view("LookAt 0 0 1.1  0.4 0 1.1  0 0 1 Camera \"perspective\" \"float fov\" 60");
+    const dvec3 eye = Pose::of(view.control.camera()).eye;
+    const dvec2 from(320.0, 150.0);
+    view.control.grab(from, Hit{eye + 0.2 * view.control.rayAt(from).direction, 0});
+    view.control.orbitTo({330.0, 160.0});
+    EXPECT_LT(glm::length(Pose::of(view.control.camera()).eye - eye), 1e-9);
+}
+
+TEST(CameraControl, FromInsideTheGroundThereIsAWayOut) {
+    for (double steps : {1.0, -1.0}) {
+        View view("LookAt 0 0 .5  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" 40");
+        view.control.zoom({320.0, 180.0}, Pose::of(view.scene.camera).eye, steps);
+        EXPECT_GE(view.control.altitude(), 0.999 * CameraControl::kLowest);
+    }
+    View view("LookAt 0 0 .5  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" 40");
+    view.control.fly({0.0, 0.0, 1.0}, 0.01);
+    EXPECT_GE(view.control.altitude(), 0.999 * CameraControl::kLowest);
+}
+
+/// A planet, a plain sphere, a disk and a triangle in a row along z, before a camera that looks at each.
+TEST(CameraControl, FliesThroughNoShape) {
+    Scene scene = parseScene(
+        "Camera \"perspective\"\nWorldBegin\nShape \"displacedsphere\"\nTranslate 10 0 0\nShape \"sphere\"\n"
+        "Translate 10 0 0\nShape \"disk\"\nTranslate 10 0 0\nShape \"trianglemesh\" \"point3 P\" [-1 -1 0 1 -1 0 0 1 0]"
+        " \"integer indices\" [0 1 2]\n",
+        "row.pbrt", {});
+    std::vector<Globe> globes;
+    for (const Shape& shape : scene.shapes) globes.emplace_back(shape, nullptr, Relief{});
+    const auto bodies = std::make_shared<const Bodies>(globes);
+    for (int k = 0; k < 4; ++k) {
+        const dvec3 centre(10.0 * k, 0.0, 0.0);
+        Camera camera;
+        camera.camera_from_world = *lookAtMatrix(centre + dvec3(0.0, 0.0, 4.0), centre, {0.0, 1.0, 0.0});
+        CameraControl control(camera, scene.film, bodies, 0);
+        for (int i = 0; i < 300; ++i) control.fly({0.0, 0.0, 5.0}, 0.1);
+        const double z = Pose::of(control.camera()).eye.z, surface = k < 2 ? 1.0 : 0.0;
+        EXPECT_GT(z, surface) << k;
+        EXPECT_LT(z, surface + 0.01) << k << ": it comes near";
+        for (int i = 0; i < 60; ++i) control.zoom({640.0, 360.0}, {}, 1.0);
+        EXPECT_GT(Pose::of(control.camera()).eye.z, surface) << k;
+    }
 }
 
 TEST(CameraControl, FliesAsFastAsItIsHigh) {
@@ -135,7 +211,7 @@ TEST(CameraControl, TiltsToTheHorizonAndNotBeyondTheZenith) {
     dvec3 vertical = glm::normalize(*point);
     auto slant = [&] { return -glm::dot(glm::normalize(Pose::of(view.control.camera()).ahead), vertical); };
     double before = slant();
-    view.control.grab(cursor, point);
+    view.grab(cursor);
     view.control.tiltTo({320.0, 100.0});
     EXPECT_LT(slant(), before) << "an upward drag looks more along the ground";
     view.control.tiltTo({320.0, 3000.0});
@@ -147,16 +223,16 @@ TEST(CameraControl, TiltsToTheHorizonAndNotBeyondTheZenith) {
 // '1' looks at latitude 0, longitude 0 with north up and east to the right in a mirrored scene.
 TEST(CameraControl, AxisViews) {
     View view(kCameras[0]);
-    view.control.axisView(1);
+    view.control.axisView(Side::Front);
     EXPECT_LT(glm::length(view.project({0.0, 0.0, 1.0}) - dvec2(320.0, 180.0)), 1e-9);
     EXPECT_LT(view.project({0.0, 0.5, 0.8}).y, 180.0);
     EXPECT_GT(view.project({0.5, 0.0, 0.8}).x, 320.0);
     double rim = 180.0 - view.project({0.0, 1.0, 0.0}).y;
     EXPECT_GT(rim, 0.7 * 180.0);
     EXPECT_LT(rim, 180.0);
-    view.control.axisView(3);
+    view.control.axisView(Side::Right);
     EXPECT_LT(glm::length(view.project({1.0, 0.0, 0.0}) - dvec2(320.0, 180.0)), 1e-9);
-    view.control.axisView(7);
+    view.control.axisView(Side::North);
     EXPECT_LT(glm::length(view.project({0.0, 1.0, 0.0}) - dvec2(320.0, 180.0)), 1e-9);
 }
 

@@ -136,13 +136,14 @@ json Viewing::last() const {
 }
 
 json Viewing::waitFor(const std::string& what, const std::function<bool(const json&)>& so) {
-    json seen;
+    json seen = json::object();
     for (double waited = 0.0; waited < kPatience; waited += 0.03) {
         seen = last();
         if (!seen.is_null() && so(seen)) return seen;
         if (!process_.running()) break;
         pause(0.03);
     }
+    seen.erase("places");
     ADD_FAILURE() << "never: " << what << "\nlast: " << seen.dump() << "\n" << errors();
     return seen;
 }
@@ -152,6 +153,18 @@ json Viewing::waitForStill() {
         return !frame.at("busy") && !frame.at("draft") && frame.at("target") > 0 &&
                frame.at("samples") == frame.at("target");
     });
+}
+
+std::string Viewing::place(const std::string& label) {
+    const json frame = waitFor("the control " + label, [&](const json& seen) {
+        return seen.contains("places") && seen.at("places").contains(label);
+    });
+    if (!frame.contains("places") || !frame.at("places").contains(label)) return "0 0";
+    const json& box = frame.at("places").at(label);
+    const auto middle = [&](int low, int high) {
+        return std::to_string(int(0.5 * (box[low].get<double>() + box[high].get<double>())));
+    };
+    return middle(0, 2) + " " + middle(1, 3);
 }
 
 std::string Viewing::errors() const {

@@ -67,6 +67,9 @@ class Viewing {
     /// Until the still view has all its samples.
     nlohmann::json waitForStill();
 
+    /// The middle of a control that the last frame showed, by its label: "x y" for xdotool.
+    std::string place(const std::string& label);
+
     int finish() { return process_.finish(20.0); }
     std::string errors() const;
 

@@ -2,6 +2,7 @@
 
 #include "scene/parser.h"
 #include "surface/scenemaps.h"
+#include "surface/spline.h"
 #include "tests/support/tempfolder.h"
 #include "tests/support/testmaps.h"
 
@@ -66,6 +67,44 @@ TEST(Globe, OfAPlainSphere) {
     EXPECT_EQ(globe.radius(), 2.0);
     EXPECT_NEAR(globe.altitude({0.0, 0.0, 0.0}), 3.0, 1e-12);
     EXPECT_FALSE(globe.placeOf({1.0, 0.0, 5.0}).stored.has_value());
+}
+
+// The smooth surface is lower on peaks than what runs through the map's values.
+TEST(Globe, GroundOfASpline) {
+    Planet planet("");
+    const Heightmap& map = *planet.maps.maps[0];
+    Relief relief = planet.maps.reliefs[1];
+    relief.filter = Filter::BSpline;
+    Globe globe(planet.scene.shapes[1], planet.nodes.get(), relief);
+    const SplineNodes spline(*planet.nodes);
+    for (int j = 0; j <= planet.nodes->rows(); j += 7) {
+        const std::vector<SplineNodes::Node> row = spline.row(j);
+        const double colatitude = planet.nodes->colatitude(j);
+        for (int i = 0; i < planet.nodes->width(); i += 11) {
+            const double lon = planet.nodes->longitude(i);
+            const dvec3 direction(std::sin(colatitude) * std::sin(lon), std::cos(colatitude),
+                                  std::sin(colatitude) * std::cos(lon));
+            EXPECT_NEAR(globe.ground(direction), relief.base + relief.scale * row[std::size_t(i)][0], 1e-6);
+        }
+    }
+    EXPECT_NEAR(*globe.placeOf({0.0, 2.0, 0.0}).stored, map.north_pole, 1e-3);
+}
+
+TEST(Globe, ClearanceOfFlatShapes) {
+    Scene scene = parseScene(
+        "WorldBegin\nShape \"disk\" \"float radius\" 2 \"float innerradius\" 1 \"float height\" 3\n"
+        "Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 2]\n",
+        "s.pbrt", {});
+    const Globe disk(scene.shapes[0], nullptr, {}), mesh(scene.shapes[1], nullptr, {});
+    EXPECT_NEAR(disk.clearance({1.5, 0.0, 5.0}), 2.0, 1e-12);
+    EXPECT_NEAR(disk.clearance({0.0, 0.0, 3.0}), 1.0, 1e-12);
+    EXPECT_NEAR(disk.clearance({0.0, 5.0, 3.0}), 3.0, 1e-12);
+    EXPECT_NEAR(mesh.clearance({0.2, 0.2, -0.7}), 0.7, 1e-12);
+    EXPECT_NEAR(mesh.clearance({-3.0, -4.0, 0.0}), 5.0, 1e-12);
+    EXPECT_NEAR(mesh.clearance({1.0, 1.0, 0.0}), std::sqrt(0.5), 1e-12);
+    EXPECT_NEAR(mesh.clearance({0.5, -1.0, 0.0}), 1.0, 1e-12);
+    EXPECT_FALSE(disk.round());
+    EXPECT_FALSE(mesh.round());
 }
 
 }  // namespace

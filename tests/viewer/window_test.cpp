@@ -34,6 +34,10 @@ class WindowTest : public testing::Test {
     }
 
     std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }
+    /// Puts the mouse on a control and presses it.
+    void click(Viewing& viewing, const std::string& label, const std::string& how = "click 1") {
+        hand("mousemove " + viewing.place(label) + " sleep 0.2 " + how);
+    }
     void hand(const std::string& arguments) { EXPECT_TRUE(desktop_->hand(arguments)) << arguments; }
     /// Takes a screenshot, renders the same with as many samples, and compares byte by byte.
     void expectScreenshot(Viewing& viewing, const std::string& name, const std::string& scene,
@@ -97,7 +101,9 @@ TEST_F(WindowTest, AWalk) {
     hand("keyup l");
     viewing.waitForStill();
     hand("key ctrl+s");
-    viewing.waitFor("a saved scene, whose film is not the screenshot", says("fractal-2.pbrt"));
+    viewing.waitFor("a saved scene", says("fractal-2.pbrt"));
+    EXPECT_NE(readBytes(path("fractal-2.pbrt")).find("\"fractal-2.png\""), std::string::npos)
+        << "it renders to a file that is not there yet";
     expectScreenshot(viewing, "fractal-3.png", "fractal-2.pbrt");
 
     hand("key Escape");
@@ -105,20 +111,130 @@ TEST_F(WindowTest, AWalk) {
     EXPECT_EQ(viewing.errors(), "") << "the validation layers are silent";
 }
 
-/// By the places that they have in a window of this size.
-TEST_F(WindowTest, ThePanelChoosesDetailAndFilter) {
-    Viewing viewing(*desktop_, folder_.path(), {"fractal.pgm", "--resolution", "1000,720", "--spp", "1"});
+TEST_F(WindowTest, ThePanelChangesAndTakesBack) {
+    Viewing viewing(*desktop_, folder_.path(),
+                    {"fractal.pgm", "--resolution", "900,640", "--spp", "1", "--exaggeration", "3"});
     viewing.waitForStill();
     hand("mousemove 300 360 key Tab");
     viewing.waitFor("the panel", is("panel", true));
-    hand("mousemove 835 113 sleep 0.3 click 1 sleep 1 mousemove 707 184 sleep 0.3 click 1");
+    EXPECT_EQ(viewing.last().at("exaggeration"), 3.0) << "as the command line says";
+    click(viewing, "Advanced");
+    click(viewing, "Detail");
+    click(viewing, "Detail/One pixel");
     viewing.waitFor("a detail of one pixel", is("detail", 1));
-    viewing.waitForStill();
-    hand("mousemove 835 287 sleep 0.3 click 1 sleep 1 mousemove 707 337 sleep 0.3 click 1");
+    click(viewing, "Surface");
+    click(viewing, "Surface/B-spline");
     viewing.waitFor("the spline", is("filter", 1));
+    click(viewing, "Surface");
+    hand("sleep 0.3 key Escape sleep 0.3 key Escape");
+    viewing.waitFor("no panel: Escape closed the list, then the panel", is("panel", false));
+    hand("key ctrl+z");
+    viewing.waitFor("the surface as it was", is("filter", 0));
+    hand("key ctrl+z");
+    viewing.waitFor("the detail as it was", is("detail", 0));
+    hand("key ctrl+shift+z");
+    viewing.waitFor("the detail again", is("detail", 1));
+
+    // All at once, as it comes where the program is busy.
+    hand("key Tab");
+    click(viewing, "Exaggeration value", "click 1 key ctrl+a type 1.25");
+    hand("key Return mousemove 200 300 mousedown 1 mousemove 210 300 mousemove 220 300 mousemove 230 300 mouseup 1");
+    viewing.waitFor("the value that was typed", is("exaggeration", 1.25));
+    click(viewing, "Exaggeration", "click 1");
+    viewing.waitFor("a slider's value", [](const json& frame) { return frame.at("exaggeration") > 4.0; });
+    click(viewing, "Exaggeration", "click --repeat 2 --delay 40 1");
+    viewing.waitFor("double click: as it was opened", is("exaggeration", 3.0));
+    click(viewing, "Exaggeration value", "click 1 key ctrl+a type -- -1000");
+    hand("key Return");
+    viewing.waitFor("what is wrong, in the panel's words", says("An exaggeration of -1000 is too much"));
+    json last =
+        viewing.waitFor("the last that fits", [](const json& frame) { return frame.at("exaggeration") > -1000; });
+    EXPECT_FALSE(last.at("error")) << "it goes by itself: the picture is good";
+
+    hand("mousemove 200 300 key Escape sleep 0.3 key Escape");
+    viewing.waitFor("a question, since there are edits", is("closing", true));
+    click(viewing, "Save and close");
+    EXPECT_EQ(viewing.finish(), 0) << viewing.errors();
+    EXPECT_EQ(viewing.errors(), "");
+    EXPECT_TRUE(std::filesystem::exists(path("fractal-1.pbrt")));
+}
+
+/// A planet, a smaller one beside it, and a plain sphere.
+TEST_F(WindowTest, EveryObjectIsOneToMoveAbout) {
+    folder_.write(
+        "three.pbrt",
+        "Scale -1 1 1 LookAt 0 0 8  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" 40\n"
+        "Film \"rgb\" \"integer xresolution\" 640 \"integer yresolution\" 360\n"
+        "Sampler \"independent\" \"integer pixelsamples\" 1\nIntegrator \"directlighting\"\nWorldBegin\n"
+        "LightSource \"distant\" \"point3 from\" [0 1 4]\n"
+        "Shape \"displacedsphere\" \"string displacementmap\" \"fractal.pgm\" \"float maxdispl\" 5\n"
+        "Translate 3 0 0\nShape \"displacedsphere\" \"string displacementmap\" \"other.pgm\" \"float maxdispl\" 5\n"
+        "Translate -6 0 0\nShape \"sphere\"\n");
+    Viewing viewing(*desktop_, folder_.path(), {"three.pbrt", "--spp", "1"});
     viewing.waitForStill();
-    hand("mousemove 835 287 sleep 0.3 click 1 sleep 1 key Escape sleep 0.5 key Tab");
-    viewing.waitFor("no panel: Escape closed the list alone", is("panel", false));
+    const auto hovers = [](const std::string& words) {
+        return [words](const json& frame) { return frame.at("hover").get<std::string>().find(words) == 0; };
+    };
+    hand("mousemove 138 180");
+    json second = viewing.waitFor("the second planet's place", hovers("planet 2"));
+    EXPECT_NE(second.at("hover").get<std::string>().find("height"), std::string::npos) << second.at("hover");
+    hand("mousemove 501 180");
+    viewing.waitFor("the sphere", hovers("sphere 3"));
+    hand("mousemove 700 500");
+    viewing.waitFor("nothing once the cursor has left", is("hover", ""));
+    hand("mousemove 138 180 click 1");
+    viewing.waitFor("the second is the target", is("target_shape", 1));
+    json before = viewing.waitForStill();
+    desktop_->drag(138, 180, 158, 180);
+    json after = viewing.waitForStill();
+    EXPECT_NEAR(after.at("altitude").get<double>(), before.at("altitude").get<double>(), 1.5);
+    EXPECT_GT(std::abs(after.at("eye")[1].get<double>() - before.at("eye")[1].get<double>()), 5.0)
+        << "it turned about the second";
+    hand("key 1");
+    viewing.waitFor("the second ahead",
+                    [](const json& frame) { return std::abs(frame.at("eye")[0].get<double>()) < 0.01; });
+    hand("keydown shift keydown w");
+    viewing.waitFor("its ground", [](const json& frame) { return frame.at("altitude") < 0.003; });
+    hand("keyup w keyup shift");
+    EXPECT_GT(viewing.waitForStill().at("altitude").get<double>(), 0.0009) << "never through it";
+    hand("key Escape");
+    EXPECT_EQ(viewing.finish(), 0) << viewing.errors();
+    EXPECT_EQ(viewing.errors(), "");
+}
+
+/// Near the ground of a smooth surface, with the horizon in the middle.
+TEST_F(WindowTest, NearTheGround) {
+    folder_.write("near.pbrt",
+                  "Scale -1 1 1 LookAt 0 .2 1.1  1 .2 1.06  0 0 1 Camera \"perspective\" \"float fov\" 60\n"
+                  "Film \"rgb\" \"integer xresolution\" 640 \"integer yresolution\" 360\n"
+                  "Sampler \"independent\" \"integer pixelsamples\" 1\nIntegrator \"directlighting\"\nWorldBegin\n"
+                  "LightSource \"distant\" \"point3 from\" [0 1 4]\n"
+                  "Shape \"displacedsphere\" \"string displacementmap\" \"fractal.pgm\" \"float maxdispl\" 10 "
+                  "\"string filter\" \"bspline\"\n");
+    Viewing viewing(*desktop_, folder_.path(), {"near.pbrt", "--spp", "1"});
+    json before = viewing.waitForStill();
+    desktop_->drag(320, 30, 380, 40);
+    json after = viewing.waitForStill();
+    EXPECT_EQ(after.at("message"), "");
+    for (int k = 0; k < 2; ++k) EXPECT_NEAR(after.at("eye")[k].get<double>(), before.at("eye")[k].get<double>(), 1e-6);
+    desktop_->drag(320, 30, 340, 100, 2);
+    after = viewing.waitForStill();
+    for (int k = 0; k < 2; ++k) EXPECT_NEAR(after.at("eye")[k].get<double>(), before.at("eye")[k].get<double>(), 1e-6);
+    hand("key r mousemove 320 350 keydown q");
+    viewing.waitFor("the ground of the spline", [](const json& frame) { return frame.at("altitude") < 0.0011; });
+    hand("keyup q");
+    json low = viewing.waitForStill();
+    EXPECT_GE(low.at("altitude").get<double>(), 0.0009);
+    EXPECT_NE(low.at("hover").get<std::string>().find("distance"), std::string::npos) << "the picture is of the ground";
+    EXPECT_EQ(low.at("hover").get<std::string>().find("distance 0 "), std::string::npos);
+    hand("mousemove 320 350 click --repeat 30 --delay 10 5");
+    viewing.waitFor("the wheel leads out", [](const json& frame) { return frame.at("altitude") > 0.1; });
+    hand("key m key m key m");
+    viewing.waitFor("a marcher that cannot show it says so", says("Lipschitz"));
+    viewing.waitFor("the exact one instead", is("marcher", 0));
+    hand("key Escape");
+    EXPECT_EQ(viewing.finish(), 0) << viewing.errors();
+    EXPECT_EQ(viewing.errors(), "");
 }
 
 TEST_F(WindowTest, SizesAndFiles) {
@@ -130,8 +246,8 @@ TEST_F(WindowTest, SizesAndFiles) {
     viewing.waitFor("the last size", is("window", json({837, 385})));
     viewing.waitForStill();
     hand("search --name dsphere windowunmap sleep 0.2 windowmap");
-    hand("search --name dsphere windowsize --sync 640 360");
-    viewing.waitFor("the first size", is("window", json({640, 360})));
+    hand("search --name dsphere windowsize --sync 640 387");
+    viewing.waitFor("the first size", is("window", json({640, 387})));
 
     ASSERT_TRUE(desktop_->drop(path("other.pgm")));
     viewing.waitFor("the other map", is("file", "other.pgm"));
@@ -145,12 +261,26 @@ TEST_F(WindowTest, SizesAndFiles) {
 
     folder_.write("other.pgm", "P5\n64 32\n65535\nshort");
     viewing.waitFor("an error of the changed file", says("other.pgm"));
+    hand("key Tab");
+    click(viewing, "Exaggeration value", "click 1 key ctrl+a type 2.5");
+    hand("key Return");
+    viewing.waitFor("an edit", is("exaggeration", 2.5));
     writePgm16(path("other.pgm"), fractalMap(128, 64));
     viewing.waitFor("the changed map",
                     [](const json& frame) { return frame.at("message") == "" && !frame.at("busy"); });
+    EXPECT_EQ(viewing.waitForStill().at("exaggeration"), 2.5) << "the edit stays on top of the new file";
+    expectScreenshot(viewing, "other-2.png", "other.pgm", "--resolution 640,360 --exaggeration 2.5");
+
+    hand("search --name dsphere windowsize 8000 6000");
+    json large = viewing.waitFor("a window larger than the device can render", [](const json& frame) {
+        return frame.at("window") == json({8000, 6000}) && frame.at("film")[0] > 1000;
+    });
+    EXPECT_LT(large.at("picture")[0].get<int>(), 8000);
+    EXPECT_GT(large.at("picture")[0].get<int>(), 4000);
+    hand("search --name dsphere windowsize --sync 640 387");
+    viewing.waitFor("the first size", is("window", json({640, 387})));
     viewing.waitForStill();
-    expectScreenshot(viewing, "other-2.png", "other.pgm", "--resolution 640,360");
-    hand("key Escape");
+    hand("key Escape sleep 0.3 key ctrl+q sleep 0.3 key ctrl+q");
     EXPECT_EQ(viewing.finish(), 0) << viewing.errors();
     EXPECT_EQ(viewing.errors(), "");
 }

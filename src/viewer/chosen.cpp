@@ -1,0 +1,145 @@
+// Between what is chosen and the panels.
+
+#include <imgui.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+
+#include "viewer/app.h"
+
+namespace dsphere::viewer {
+
+State App::state() const {
+    State state = chosen_;
+    if (!control_) return state;
+    state.camera = control_->camera();
+    state.target = control_->target();
+    return state;
+}
+
+// What differs in the scene is followed by the next turn of the loop.
+void App::adopt(const State& wanted) {
+    const State present = state();
+    const bool view_changed = !(wanted.view == present.view), tone_changed = !(wanted.tone == present.tone);
+    chosen_ = wanted;
+    control_->setTarget(std::min(wanted.target, stage_->document().bodies->count() - 1));
+    if (!(wanted.camera == present.camera)) {
+        control_->setCamera(wanted.camera);
+        cameraMoved(false);
+    }
+    if (view_changed) viewChanged(false);
+    // The shown values are recoloured without a ray, if they are all there.
+    if (tone_changed && !view_changed && begun_ && stage_->film().between() && stage_->film().samples() > 0) publish();
+    frames_due_ = std::max(frames_due_, 2);
+}
+
+std::string App::hoverText() {
+    if (!stage_ || !begun_ || hand_.drag != Hand::Drag::None || loader_.packing() || !window_.cursorWithin()) return {};
+    const dvec2 place = share(window_.cursor());
+    if (place.x >= 1.0 || place.y >= 1.0) return {};
+    std::optional<Pick> pick = stage_->pick(place);
+    if (!pick) return {};
+    const Document& document = stage_->document();
+    const Globe& globe = (*document.bodies)[std::size_t(pick->shape)];
+    std::string text;
+    if (document.scene.shapes.size() > 1) text = shapeName(document.scene, std::size_t(pick->shape)) + "   ";
+    if (globe.round()) {
+        const Place at = globe.placeOf(pick->point);
+        text += fmt::format("{:.4f}° {}  {:.4f}° {}   ", std::abs(at.latitude), at.latitude < 0.0 ? "S" : "N",
+                            std::abs(at.longitude), at.longitude < 0.0 ? "W" : "E");
+        if (at.stored) text += fmt::format("height {:.6g}   ", *at.stored);
+    }
+    return text + fmt::format("distance {:.6g}", pick->distance);
+}
+
+void App::fillUi() {
+    ui_.subject = {state(), nullptr, nullptr};
+    ui_.has_picture = presenter_.hasPicture();
+    Figures& figures = ui_.figures;
+    figures.u = presenter_.u();
+    figures.v = presenter_.v();
+    figures.busy = loader_.doing();
+    figures.busy_seconds = window_.now() - busy_since_;
+    figures.device = renders_.info().name;
+    figures.frame_seconds = frame_seconds_;
+    figures.file = std::filesystem::path(stage_ ? stage_->document().path : loader_.path()).filename().string();
+    if (!stage_) return;
+    const Document& document = stage_->document();
+    ui_.subject.original = &document.original;
+    ui_.subject.globe = &control_->globe();
+    figures.target_samples = targetSamples();
+    figures.moving = schedule_.draft();
+    if (!begun_) return;
+    figures.samples = schedule_.draft() ? 0 : stage_->film().samples();
+    figures.width = stage_->film().width();
+    figures.height = stage_->film().height();
+    const double seconds = stage_->film().sampleSeconds();
+    figures.rays_per_second = seconds > 0.0 ? double(figures.width) * figures.height / seconds : 0.0;
+}
+
+void App::applyUi() {
+    const Command command = std::exchange(ui_.command, Command::None);
+    if (stage_ && !(ui_.subject.state == state())) adopt(ui_.subject.state);
+    if (command != Command::None) runCommand(command);
+}
+
+void App::noteState(nlohmann::json& line) const {
+    const State now = state();
+    line["marcher"] = int(now.view.method.marcher);
+    line["detail"] = now.view.method.detail;
+    line["split"] = now.view.split;
+    line["divider"] = now.view.divider;
+    line["value"] = int(now.view.show);
+    if (!stage_) return;
+    const dvec3 eye = Pose::of(now.camera).eye;
+    const ShapeEdits& edits = now.edits.shapes[now.target];
+    const auto* relief = std::get_if<DisplacedSphere>(&stage_->document().original.shapes[now.target].geometry);
+    line["altitude"] = control_->altitude();
+    line["target_shape"] = now.target;
+    line["exaggeration"] = edits.exaggeration;
+    line["filter"] = int(edits.filter.value_or(relief ? relief->filter : Filter::Bilinear));
+    if (control_->globe().round() && eye != control_->globe().centre()) {
+        const Place place = control_->globe().placeOf(eye);
+        line["eye"] = {place.latitude, place.longitude};
+    }
+}
+
+void App::note(bool shown) {
+    const bool settled = !stage_ || (published_ && schedule_.current());
+    const double latency = shown ? latency_.shown(window_.now(), settled) : -1.0;
+    if (!journal_.on()) return;
+    const Figures& figures = ui_.figures;
+    const dvec2 at = share(window_.cursor());
+    nlohmann::json line = {{"time", window_.now()},
+                           {"shown", shown},
+                           {"file", figures.file},
+                           {"busy", !figures.busy.empty()},
+                           {"samples", figures.samples},
+                           {"target", figures.target_samples},
+                           {"draft", schedule_.draft()},
+                           {"film", {figures.width, figures.height}},
+                           {"window", {window_.width(), window_.height()}},
+                           {"picture", pictureSize()},
+                           {"has_picture", ui_.has_picture},
+                           {"frame_ms", 1e3 * frame_seconds_},
+                           {"draw_ms", 1e3 * draw_seconds_},
+                           {"latency_ms", latency < 0.0 ? -1.0 : 1e3 * latency},
+                           {"render_ms", 1e3 * draft_seconds_},
+                           {"device_ms", stage_ && begun_ ? 1e3 * stage_->film().sampleSeconds() : 0.0},
+                           {"panel", ui_.panel_open},
+                           {"keys", ui_.keys_open},
+                           {"closing", ui_.closing},
+                           {"hover", figures.hover},
+                           {"message", ui_.message.text},
+                           {"error", ui_.message.kind == Message::Kind::Error},
+                           {"cursor", {at.x, at.y}},
+                           {"scale", scale_},
+                           {"capture", ImGui::GetIO().WantCaptureMouse},
+                           {"typing", ImGui::GetIO().WantTextInput}};
+    noteState(line);
+    for (const auto& [label, place] : ui_.places) line["places"][label] = place;
+    journal_.write(line);
+}
+
+}  // namespace dsphere::viewer

@@ -1,0 +1,150 @@
+// What keys and buttons ask for.
+
+#include <imgui.h>
+
+#include "viewer/app.h"
+
+namespace dsphere::viewer {
+
+void App::cameraMoved(bool moving) {
+    camera_is_new_ = true;
+    viewChanged(moving);
+}
+
+// What is open in the window goes first.
+void App::escape() {
+    if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+        ui_.let_go = true;
+    else if (ui_.closing)
+        ui_.closing = false;
+    else if (ui_.keys_open)
+        ui_.keys_open = false;
+    else if (ui_.message.stays() && !ui_.message.text.empty())
+        ui_.message.text.clear();
+    else if (ui_.panel_open)
+        ui_.panel_open = false;
+    else
+        quit();
+}
+
+void App::quit() {
+    if (stage_ && !(chosen_.edits == saved_edits_) && !ui_.closing)
+        ui_.closing = true;
+    else
+        closing_ = true;
+    frames_due_ = std::max(frames_due_, 2);
+}
+
+void App::undo(int by) {
+    if (!stage_) return;
+    history_.add(state());
+    const State* wanted = history_.step(by);
+    if (!wanted) return say(by < 0 ? "Nothing is left to undo." : "Nothing is left to redo.");
+    State fitted = *wanted;
+    std::vector<std::string> lost;
+    fitted.edits = refit(wanted->edits, stage_->document().original, lost);
+    adopt(fitted);
+}
+
+// What needs no file. False: another kind of command.
+bool App::runForWindow(Command command) {
+    switch (command) {
+        case Command::Panel:
+            ui_.panel_open = !ui_.panel_open;
+            return true;
+        case Command::Keys:
+            ui_.keys_open = !ui_.keys_open;
+            return true;
+        case Command::FullScreen:
+            window_.switchFullScreen();
+            return true;
+        case Command::Escape:
+            escape();
+            return true;
+        case Command::Quit:
+            quit();
+            return true;
+        case Command::QuitUnsaved:
+            closing_ = true;
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool App::runForFiles(Command command) {
+    switch (command) {
+        case Command::SaveAndQuit:
+            saveScene();
+            closing_ = true;
+            return true;
+        case Command::CopyCamera:
+            copyCamera();
+            return true;
+        case Command::SaveScene:
+            saveScene();
+            return true;
+        case Command::Reload:
+            open(stage_->document().path);
+            return true;
+        case Command::Screenshot:
+            screenshot_wanted_ = true;
+            // A full picture is written at once, a growing one at its next sample.
+            if (begun_ && !schedule_.draft() && schedule_.current() && stage_->film().between() &&
+                stage_->film().samples() > 0)
+                takeScreenshot();
+            return true;
+        default:
+            return false;
+    }
+}
+
+void App::runForView(Command command) {
+    State wanted = state();
+    const auto next = [](int value, int by, int count) { return (value + by + count) % count; };
+    const int sides = int(Command::Corner) - int(Command::Front) + 1, side = int(command) - int(Command::Front);
+    if (side >= 0 && side < sides) {
+        control_->axisView(Side(side));
+        return cameraMoved(false);
+    }
+    switch (command) {
+        case Command::Undo:
+            return undo(-1);
+        case Command::Redo:
+            return undo(1);
+        case Command::ResetView:
+            control_->reset();
+            return cameraMoved(false);
+        case Command::ResetAll:
+            wanted.view = ui_.untouched.view;
+            wanted.tone = ui_.untouched.tone;
+            wanted.edits = noEdits(stage_->document().original, options_.exaggeration);
+            break;
+        case Command::NextMarcher:
+            wanted.view.method.marcher = Marcher(next(int(wanted.view.method.marcher), 1, 4));
+            // The left half of a split view is the naive one already.
+            if (wanted.view.split && wanted.view.method.marcher == Marcher::Naive)
+                wanted.view.method.marcher = Marcher::NaiveShell;
+            break;
+        case Command::Split:
+            wanted.view.split = !wanted.view.split;
+            break;
+        case Command::NextValue:
+        case Command::PreviousValue:
+            wanted.view.show = Show(next(int(wanted.view.show), command == Command::NextValue ? 1 : -1, kShowCount));
+            break;
+        default:
+            return;
+    }
+    adopt(wanted);
+}
+
+void App::runCommand(Command command) {
+    try {
+        if (!runForWindow(command) && stage_ && !runForFiles(command)) runForView(command);
+    } catch (const Error& error) {
+        say(error.what(), Message::Kind::Error);
+    }
+}
+
+}  // namespace dsphere::viewer

@@ -1,0 +1,120 @@
+#include "viewer/edits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace dsphere::viewer {
+
+namespace {
+
+DistantLight* mutableSun(Scene& scene) {
+    for (Light& light : scene.lights)
+        if (auto* distant = std::get_if<DistantLight>(&light)) return distant;
+    return nullptr;
+}
+
+void editShape(Shape& shape, const ShapeEdits& edits) {
+    if (auto* sphere = std::get_if<DisplacedSphere>(&shape.geometry)) {
+        sphere->max_displacement *= edits.exaggeration;
+        if (sphere->height_scale) *sphere->height_scale *= edits.exaggeration;
+        if (edits.midlevel) sphere->midlevel = *edits.midlevel;
+        if (edits.filter && !sphere->ripples) sphere->filter = *edits.filter;
+    }
+    if (edits.texture)
+        if (Texture* texture = textureOf(shape.material)) *texture = *edits.texture;
+}
+
+// An image that comes or goes is read with its scene.
+Rework reworkOf(const Texture* shown, const Texture* wanted) {
+    if (!shown || !wanted) return shown == wanted ? Rework::Nothing : Rework::Reading;
+    if (*shown == *wanted) return Rework::Nothing;
+    const bool images = std::holds_alternative<ImageMap>(*shown) || std::holds_alternative<ImageMap>(*wanted) ||
+                        std::holds_alternative<Checkerboard>(*shown) || std::holds_alternative<Checkerboard>(*wanted);
+    return images ? Rework::Reading : Rework::Look;
+}
+
+// No edit changes which value is unknown; it may be NaN, which nothing equals.
+DisplacedSphere withoutNodata(DisplacedSphere sphere) {
+    sphere.nodata.reset();
+    return sphere;
+}
+
+Rework reworkOf(const Geometry& shown, const Geometry& wanted) {
+    const auto* before = std::get_if<DisplacedSphere>(&shown);
+    const auto* after = std::get_if<DisplacedSphere>(&wanted);
+    if (!before || !after) return shown == wanted ? Rework::Nothing : Rework::Reading;
+    if (withoutNodata(*before) == withoutNodata(*after)) return Rework::Nothing;
+    return before->filter == after->filter ? Rework::Relief : Rework::Reading;
+}
+
+}  // namespace
+
+Edits noEdits(const Scene& scene, double exaggeration) {
+    return {std::vector<ShapeEdits>(scene.shapes.size(), ShapeEdits{.exaggeration = exaggeration}), {}, 1.0};
+}
+
+Scene edited(const Scene& original, const Edits& edits) {
+    Scene scene = original;
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) editShape(scene.shapes[i], edits.shapes[i]);
+    if (DistantLight* sun = mutableSun(scene)) {
+        if (edits.sun_direction) sun->direction = *edits.sun_direction;
+        sun->radiance *= edits.sun_brightness;
+    }
+    return scene;
+}
+
+Edits refit(const Edits& edits, const Scene& scene, std::vector<std::string>& lost) {
+    Edits fitted = edits;
+    fitted.shapes.resize(scene.shapes.size());
+    for (std::size_t i = 0; i < edits.shapes.size(); ++i) {
+        const ShapeEdits& was = edits.shapes[i];
+        if (was == ShapeEdits{}) continue;
+        if (i >= scene.shapes.size()) {
+            lost.push_back(fmt::format("shape {} is gone", i + 1));
+            continue;
+        }
+        const Shape& shape = scene.shapes[i];
+        ShapeEdits& now = fitted.shapes[i];
+        const bool relief = was.exaggeration != 1.0 || was.midlevel || was.filter;
+        if (relief && !std::holds_alternative<DisplacedSphere>(shape.geometry)) {
+            lost.push_back(fmt::format("{} has no relief now", shapeName(scene, i)));
+            now = {.texture = was.texture};
+        }
+        if (was.texture && !textureOf(shape.material)) {
+            lost.push_back(fmt::format("the material of {} has no colour now", shapeName(scene, i)));
+            now.texture.reset();
+        }
+    }
+    if ((edits.sun_direction || edits.sun_brightness != 1.0) && !sunOf(scene)) {
+        lost.push_back("there is no sun now");
+        fitted.sun_direction.reset();
+        fitted.sun_brightness = 1.0;
+    }
+    return fitted;
+}
+
+Rework reworkBetween(const Scene& shown, const Scene& wanted) {
+    Rework rework = shown.lights == wanted.lights ? Rework::Nothing : Rework::Look;
+    for (std::size_t i = 0; i < shown.shapes.size(); ++i) {
+        const Shape &before = shown.shapes[i], &after = wanted.shapes[i];
+        rework = std::max({rework, reworkOf(before.geometry, after.geometry),
+                           reworkOf(textureOf(before.material), textureOf(after.material))});
+    }
+    return rework;
+}
+
+const DistantLight* sunOf(const Scene& scene) {
+    return mutableSun(const_cast<Scene&>(scene));
+}
+
+std::string shapeName(const Scene& scene, std::size_t shape) {
+    const Geometry& geometry = scene.shapes[shape].geometry;
+    const char* kind = "planet";
+    if (std::holds_alternative<Sphere>(geometry)) kind = "sphere";
+    if (std::holds_alternative<Disk>(geometry)) kind = "disk";
+    if (std::holds_alternative<TriangleMesh>(geometry)) kind = "mesh";
+    return scene.shapes.size() > 1 ? fmt::format("{} {}", kind, shape + 1) : kind;
+}
+
+}  // namespace dsphere::viewer

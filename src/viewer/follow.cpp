@@ -1,0 +1,158 @@
+// What is chosen, and what is shown: files that are read, reliefs that are packed anew.
+
+#include <filesystem>
+
+#include <fmt/ranges.h>
+
+#include "viewer/app.h"
+
+namespace dsphere::viewer {
+
+void App::open(const std::string& path) {
+    if (ui_.message.stays()) ui_.message.text.clear();
+    wanted_path_ = path;
+}
+
+// One piece of work at a time: the newest wish is what is done next. What only colours is done at once.
+void App::follow() {
+    if (loader_.packing()) return;
+    Rework rework = Rework::Nothing;
+    Scene wanted;
+    const Levels levels =
+        chosen_.view.method.detail > 0.0f ? Levels::All : (stage_ ? stage_->document().levels : Levels::Finest);
+    if (stage_) {
+        wanted = edited(stage_->document().original, chosen_.edits);
+        rework = reworkBetween(stage_->document().scene, wanted);
+    }
+    if (rework == Rework::Look) {
+        stage_->updateLook(wanted);
+        shown_edits_ = chosen_.edits;
+        viewChanged(true);
+    }
+    if (loader_.busy()) return;
+    if (!wanted_path_.empty()) {
+        const std::string path = std::exchange(wanted_path_, {});
+        const bool same = stage_ && path == stage_->document().path;
+        loader_.read(path, same ? std::optional(chosen_.edits) : std::nullopt, options_.exaggeration, levels);
+    } else if (rework == Rework::Reading || (stage_ && levels != stage_->document().levels)) {
+        tried_edits_ = chosen_.edits;
+        loader_.remake(stage_->document(), chosen_.edits, levels);
+    } else if (rework == Rework::Relief) {
+        tried_edits_ = chosen_.edits;
+        loader_.retune(stage_->document(), wanted);
+    } else {
+        return;
+    }
+    busy_since_ = window_.now();
+    frames_due_ = std::max(frames_due_, 1);
+}
+
+void App::finishWork() {
+    const bool relief = loader_.packing();
+    try {
+        if (std::optional<Loaded> loaded = loader_.loaded()) show(std::move(*loaded));
+        if (std::optional<PackedScene> packed = loader_.packed()) {
+            stage_->updateRelief(std::move(*packed), loader_.packedScene());
+            shown_edits_ = tried_edits_;
+            control_->setBodies(stage_->document().bodies);
+            display_.forget();
+            begun_ = false;
+            cameraMoved(true);
+        }
+    } catch (const Error& error) {
+        if (!stage_) throw;
+        if (relief)
+            tellRefused(error);
+        else
+            say(error.what(), Message::Kind::Error);
+        // Levels or images that could not be made must not be asked for again at once; what was chosen meanwhile may be
+        // better. What changed on disk counts as seen, or the same error would come for ever.
+        if (chosen_.edits == tried_edits_) chosen_.edits = shown_edits_;
+        if (stage_->document().levels == Levels::Finest) chosen_.view.method.detail = 0.0f;
+    }
+}
+
+void App::tellRefused(const Error& error) {
+    for (std::size_t i = 0; i < tried_edits_.shapes.size(); ++i) {
+        const ShapeEdits &wanted = tried_edits_.shapes[i], &shown = shown_edits_.shapes[i];
+        if (wanted == shown) continue;
+        const std::string name = shapeName(stage_->document().original, i);
+        if (wanted.exaggeration != shown.exaggeration)
+            return say(
+                fmt::format("An exaggeration of {:.4g} is too much for the {}: its ground would reach its centre. "
+                            "{:.4g} stays.",
+                            wanted.exaggeration, name, shown.exaggeration));
+        return say(
+            fmt::format("This zero level is too much for the {}: its ground would reach its centre. The last one "
+                        "stays.",
+                        name));
+    }
+    say(error.what());
+}
+
+// The same file again, changed on disk or with other images, keeps the camera; another one brings its own.
+void App::show(Loaded loaded) {
+    Document& document = *loaded.document;
+    const bool same = stage_ && stage_->document().path == document.path;
+    const bool own_camera = !same || !(stage_->document().original.camera == document.original.camera);
+    // Edits made while it was read stay too, unless those before them had to go.
+    if (!same || !loaded.lost.empty())
+        chosen_.edits = loaded.edits;
+    else
+        chosen_.edits.shapes.resize(document.original.shapes.size());
+    if (!same) saved_edits_ = loaded.edits;
+    watcher_.watch(document.files());
+    auto stage = std::make_unique<Stage>(renders_, std::move(loaded.document), chosen_.view.method);
+    presenter_.finish();
+    display_.forget();
+    stage_ = std::move(stage);
+    shown_edits_ = loaded.edits;
+    const Document& now = stage_->document();
+    Film film = now.scene.film;
+    film.width = area()[0];
+    film.height = area()[1];
+    if (!same) chosen_.tone.exposure = 0.0f;
+    if (own_camera)
+        control_.emplace(now.original.camera, film, now.bodies, Globe::shapeOf(now.original));
+    else
+        control_->setBodies(now.bodies);
+    window_.setTitle(std::filesystem::path(now.path).filename().string() + " - dsphere");
+    if (ui_.message.stays()) ui_.message.text.clear();
+    tellNotices(loaded.lost);
+    hand_.drag = Hand::Drag::None;
+    begun_ = false;
+    cameraMoved(false);
+    ui_.untouched.edits = noEdits(now.original, options_.exaggeration);
+    if (same) return;
+    history_.start(state());
+    ui_.untouched = state();
+}
+
+void App::tellNotices(const std::vector<std::string>& lost) {
+    const Document& document = stage_->document();
+    Notices notices = document.original.notices;
+    const Notices of_maps = document.maps.notices();
+    notices.insert(notices.end(), of_maps.begin(), of_maps.end());
+    std::vector<std::string> lines;
+    bool warns = !lost.empty();
+    if (!lost.empty()) lines.push_back(fmt::format("The file has changed. No longer fits: {}.", fmt::join(lost, "; ")));
+    for (std::size_t i = 0; i < document.bodies->count(); ++i) {
+        const Globe& globe = (*document.bodies)[i];
+        if (!globe.solid() || globe.clearance(Pose::of(control_->camera()).eye) >= 0.0) continue;
+        lines.push_back(fmt::format("The eye is inside the {}. Zoom out, or press 1.", shapeName(document.scene, i)));
+        warns = true;
+    }
+    for (const Notice& notice : notices) {
+        lines.push_back(notice.text);
+        warns = warns || notice.kind == Notice::Kind::Warning;
+    }
+    if (!lines.empty())
+        say(fmt::format("{}", fmt::join(lines, "\n")), warns ? Message::Kind::Warning : Message::Kind::Said);
+}
+
+void App::reloadIfChanged() {
+    if (!stage_ || !watcher_.changed(window_.now())) return;
+    open(stage_->document().path);
+}
+
+}  // namespace dsphere::viewer

@@ -1,0 +1,37 @@
+#include "viewer/keytable.h"
+
+#include "tests/support/tempfolder.h"
+#include "viewer/window.h"
+
+#include <gtest/gtest.h>
+
+namespace dsphere::viewer {
+namespace {
+
+// GLFW's codes of letters and digits are those of ASCII.
+Command asked(char key, bool control = false, bool shift = false) {
+    return commandOf({.kind = Event::KeyDown, .code = key, .shift = shift, .control = control});
+}
+
+TEST(KeyTable, KeysAskForThem) {
+    EXPECT_EQ(asked('Z', true), Command::Undo);
+    EXPECT_EQ(asked('Z', true, true), Command::Redo);
+    EXPECT_EQ(asked('Y', true), Command::Redo);
+    EXPECT_EQ(asked('S', true), Command::SaveScene);
+    EXPECT_EQ(asked('S'), Command::None) << "it flies";
+    EXPECT_EQ(asked('V'), Command::NextValue);
+    EXPECT_EQ(asked('V', false, true), Command::PreviousValue);
+    EXPECT_EQ(asked('1'), Command::Front);
+    EXPECT_EQ(asked('1', true), Command::Back);
+    EXPECT_EQ(asked('9', true), Command::None);
+    EXPECT_EQ(asked('/'), Command::Keys) << "the question mark";
+    EXPECT_EQ(asked('/', false, true), Command::Keys);
+}
+
+TEST(KeyTable, TheManualHasTheTable) {
+    const std::string manual = test::readBytes(DSPHERE_SOURCE_DIR "/docs/viewer.md");
+    EXPECT_NE(manual.find(keysInMarkdown()), std::string::npos) << "docs/viewer.md should hold:\n" << keysInMarkdown();
+}
+
+}  // namespace
+}  // namespace dsphere::viewer
