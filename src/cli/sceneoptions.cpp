@@ -34,16 +34,6 @@ void applyFilm(Film& film, const SceneOptions& options) {
         throwUsage("--cropwindow: {},{},{},{} holds no pixel of {}x{}", x0, x1, y0, y1, film.width, film.height);
 }
 
-void exaggerate(Scene& scene, double factor) {
-    if (!std::isfinite(factor)) throwUsage("--exaggeration: expected a finite number");
-    for (Shape& shape : scene.shapes) {
-        auto* sphere = std::get_if<DisplacedSphere>(&shape.geometry);
-        if (!sphere) continue;
-        sphere->max_displacement *= factor;
-        if (sphere->height_scale) *sphere->height_scale *= factor;
-    }
-}
-
 }  // namespace
 
 void addSceneOptions(CLI::App& command, SceneOptions& options) {
@@ -104,6 +94,16 @@ Scene loadScene(const SceneOptions& options) {
     if (options.samples) scene.sampler.pixel_samples = *options.samples;
     if (options.seed) scene.sampler.seed = *options.seed;
     return scene;
+}
+
+void exaggerate(Scene& scene, double factor) {
+    if (!std::isfinite(factor)) throwUsage("--exaggeration: expected a finite number");
+    for (Shape& shape : scene.shapes) {
+        auto* sphere = std::get_if<DisplacedSphere>(&shape.geometry);
+        if (!sphere) continue;
+        sphere->max_displacement *= factor;
+        if (sphere->height_scale) *sphere->height_scale *= factor;
+    }
 }
 
 }  // namespace dsphere::cli

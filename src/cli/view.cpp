@@ -28,14 +28,12 @@ int runView(const ViewOptions& options) {
         SceneOptions named = scene;
         if (path != scene.scene && !isHeightmap(path)) named.map = {};  // they were said of the first map
         named.scene = path;
+        named.exaggeration = 1.0;  // the panel's, which begins with it
         Scene opened = loadScene(named);
-        if (!named.latlon.empty()) placeCamera(opened, loadSceneMaps(opened), named);
-        if (named.exaggeration == 1.0) return opened;
-        // The camera stands above the exaggerated ground; the exaggeration itself is the panel's.
-        const Camera camera = opened.camera;
-        named.exaggeration = 1.0;
-        opened = loadScene(named);
-        opened.camera = camera;
+        Scene seen = opened;
+        exaggerate(seen, scene.exaggeration);
+        if (!named.latlon.empty() || named.heading || named.pitch) placeCamera(seen, loadSceneMaps(seen), named);
+        opened.camera = seen.camera;
         return opened;
     };
     viewer.interrupted = [] { return caughtSignal() != 0; };

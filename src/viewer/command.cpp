@@ -11,9 +11,9 @@ void App::cameraMoved(bool moving) {
     viewChanged(moving);
 }
 
-// What is open in the window goes first.
+// What is open in the window goes first. A list that the next frame closes counts as closed.
 void App::escape() {
-    if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+    if (!ui_.let_go && ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
         ui_.let_go = true;
     else if (ui_.closing)
         ui_.closing = false;
@@ -42,7 +42,7 @@ void App::undo(int by) {
     if (!wanted) return say(by < 0 ? "Nothing is left to undo." : "Nothing is left to redo.");
     State fitted = *wanted;
     std::vector<std::string> lost;
-    fitted.edits = refit(wanted->edits, stage_->document().original, lost);
+    fitted.edits = refit(wanted->edits, stage_->document().original, options_.exaggeration, lost);
     adopt(fitted);
 }
 

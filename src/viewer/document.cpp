@@ -34,12 +34,6 @@ std::unique_ptr<Document> makeDocument(const std::string& path, const Scene& ori
     return made;
 }
 
-std::unique_ptr<Document> openDocument(const OpenScene& open, const std::string& path,
-                                       const std::function<Scene(const Scene&)>& edit, Levels levels) {
-    const Scene original = open(path);
-    return makeDocument(path, original, edit(original), levels);
-}
-
 PackedScene retune(Document& document, const Scene& scene) {
     std::vector<Relief> reliefs = document.maps.reliefs;
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {

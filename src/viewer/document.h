@@ -33,12 +33,8 @@ struct Document {
     std::vector<std::filesystem::path> files() const;
 };
 
-/// Everything but the device: reads and packs a file. `edits`: what becomes of its scene. Throws Error. Takes seconds
-/// for large maps.
-std::unique_ptr<Document> openDocument(const OpenScene& open, const std::string& path,
-                                       const std::function<Scene(const Scene&)>& edit, Levels levels);
-
-/// The same of a scene that is read already, and what it is to become.
+/// Reads the maps of a file's scene and packs them: everything but the device. `original` is the scene as the file says
+/// it, `scene` as it is shown. Throws Error. Takes seconds for large maps.
 std::unique_ptr<Document> makeDocument(const std::string& path, const Scene& original, const Scene& scene,
                                        Levels levels);
 

@@ -51,7 +51,11 @@ Rework reworkOf(const Geometry& shown, const Geometry& wanted) {
 }  // namespace
 
 Edits noEdits(const Scene& scene, double exaggeration) {
-    return {std::vector<ShapeEdits>(scene.shapes.size(), ShapeEdits{.exaggeration = exaggeration}), {}, 1.0};
+    Edits edits{std::vector<ShapeEdits>(scene.shapes.size()), {}, 1.0};
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+        if (std::holds_alternative<DisplacedSphere>(scene.shapes[i].geometry))
+            edits.shapes[i].exaggeration = exaggeration;
+    return edits;
 }
 
 Scene edited(const Scene& original, const Edits& edits) {
@@ -64,9 +68,10 @@ Scene edited(const Scene& original, const Edits& edits) {
     return scene;
 }
 
-Edits refit(const Edits& edits, const Scene& scene, std::vector<std::string>& lost) {
+Edits refit(const Edits& edits, const Scene& scene, double exaggeration, std::vector<std::string>& lost) {
     Edits fitted = edits;
-    fitted.shapes.resize(scene.shapes.size());
+    fitted.shapes = noEdits(scene, exaggeration).shapes;
+    std::copy_n(edits.shapes.begin(), std::min(edits.shapes.size(), fitted.shapes.size()), fitted.shapes.begin());
     for (std::size_t i = 0; i < edits.shapes.size(); ++i) {
         const ShapeEdits& was = edits.shapes[i];
         if (was == ShapeEdits{}) continue;

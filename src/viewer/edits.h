@@ -26,14 +26,15 @@ struct Edits {
     bool operator==(const Edits&) const = default;
 };
 
-/// None, for a scene of so many shapes, all of whose displacements are multiplied.
+/// No edit of a scene but the factor that its displaced spheres begin with.
 Edits noEdits(const Scene& scene, double exaggeration);
 
 /// The scene with its edits, which are of as many shapes.
 Scene edited(const Scene& original, const Edits& edits);
 
-/// What is left of edits for another version of the scene; the words for each that no longer fits go to `lost`.
-Edits refit(const Edits& edits, const Scene& scene, std::vector<std::string>& lost);
+/// What is left of edits for another version of the scene, whose further shapes have none but `exaggeration`; the words
+/// for each edit that no longer fits go to `lost`.
+Edits refit(const Edits& edits, const Scene& scene, double exaggeration, std::vector<std::string>& lost);
 
 /// What it takes to show a scene's shapes and lights when others are shown, the least first.
 enum class Rework { Nothing, Look, Relief, Reading };

@@ -99,7 +99,7 @@ void App::show(Loaded loaded) {
     if (!same || !loaded.lost.empty())
         chosen_.edits = loaded.edits;
     else
-        chosen_.edits.shapes.resize(document.original.shapes.size());
+        chosen_.edits = refit(chosen_.edits, document.original, options_.exaggeration, loaded.lost);
     if (!same) saved_edits_ = loaded.edits;
     watcher_.watch(document.files());
     auto stage = std::make_unique<Stage>(renders_, std::move(loaded.document), chosen_.view.method);

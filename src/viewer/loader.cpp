@@ -7,7 +7,7 @@ namespace {
 /// Edits that the new file's scene cannot be shown with are given up.
 Loaded load(const std::string& path, const Scene& original, const Edits& wanted, double exaggeration, Levels levels) {
     Loaded loaded;
-    loaded.edits = refit(wanted, original, loaded.lost);
+    loaded.edits = refit(wanted, original, exaggeration, loaded.lost);
     try {
         loaded.document = makeDocument(path, original, edited(original, loaded.edits), levels);
     } catch (const Error& error) {

@@ -13,7 +13,7 @@ Scene parsed(const std::string& world) {
 }
 
 const char* const kPlanets =
-    "LightSource \"distant\" \"point3 from\" [0 0 1]\n"
+    "LightSource \"distant\" \"point3 from\" [0 1 0]\n"
     "Shape \"displacedsphere\" \"string displacementmap\" \"a.png\" \"float maxdispl\" 2 \"float nodata\" -32768\n"
     "Shape \"displacedsphere\" \"string displacementmap\" \"b.png\" \"float heightscale\" .1\n"
     "Material \"mirror\"\nShape \"sphere\"\n";
@@ -62,9 +62,9 @@ TEST(Edits, StayOnAnotherVersionOfTheSceneWhereTheyFit) {
     edits.shapes[1].exaggeration = 3.0;
     edits.sun_brightness = 2.0;
     std::vector<std::string> lost;
-    EXPECT_EQ(refit(edits, original, lost), edits);
+    EXPECT_EQ(refit(edits, original, 1.0, lost), edits);
     EXPECT_TRUE(lost.empty());
-    const Edits fitted = refit(edits, parsed("Shape \"displacedsphere\"\nShape \"sphere\"\n"), lost);
+    const Edits fitted = refit(edits, parsed("Shape \"displacedsphere\"\nShape \"sphere\"\n"), 1.0, lost);
     EXPECT_EQ(fitted.shapes.size(), 2u);
     EXPECT_EQ(fitted.shapes[0].exaggeration, 2.0);
     EXPECT_EQ(fitted.shapes[1], ShapeEdits{});
@@ -74,8 +74,21 @@ TEST(Edits, StayOnAnotherVersionOfTheSceneWhereTheyFit) {
     edits = noEdits(original, 1.0);
     edits.shapes[0].texture = HeightRamp{.ramp = "viridis"};
     edits.shapes[2].texture = ConstantColour{};
-    refit(edits, parsed("Material \"mirror\"\nShape \"displacedsphere\"\n"), lost);
+    refit(edits, parsed("Material \"mirror\"\nShape \"displacedsphere\"\n"), 1.0, lost);
     EXPECT_EQ(lost, (std::vector<std::string>{"the material of planet has no colour now", "shape 3 is gone"}));
+}
+
+// The factor of the command line is no change of a shape that has no relief.
+TEST(Edits, BeginWithAFactorOfEveryRelief) {
+    const Scene original = parsed(kPlanets);
+    const Edits edits = noEdits(original, 3.0);
+    EXPECT_EQ(edits.shapes[1].exaggeration, 3.0);
+    EXPECT_EQ(edits.shapes[2], ShapeEdits{});
+    std::vector<std::string> lost;
+    EXPECT_EQ(refit(edits, original, 3.0, lost), edits);
+    EXPECT_TRUE(lost.empty());
+    const Scene larger = parsed(std::string(kPlanets) + "Shape \"displacedsphere\"\n");
+    EXPECT_EQ(refit(edits, larger, 3.0, lost).shapes[3].exaggeration, 3.0);
 }
 
 TEST(History, GoesBackAndForth) {

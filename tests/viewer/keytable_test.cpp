@@ -10,7 +10,12 @@ namespace {
 
 // GLFW's codes of letters and digits are those of ASCII.
 Command asked(char key, bool control = false, bool shift = false) {
-    return commandOf({.kind = Event::KeyDown, .code = key, .shift = shift, .control = control});
+    Event event{};
+    event.kind = Event::KeyDown;
+    event.code = key;
+    event.control = control;
+    event.shift = shift;
+    return commandOf(event);
 }
 
 TEST(KeyTable, KeysAskForThem) {

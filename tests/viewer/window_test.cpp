@@ -151,6 +151,9 @@ TEST_F(WindowTest, ThePanelChangesAndTakesBack) {
         viewing.waitFor("the last that fits", [](const json& frame) { return frame.at("exaggeration") > -1000; });
     EXPECT_FALSE(last.at("error")) << "it goes by itself: the picture is good";
 
+    click(viewing, "Exaggeration value", "click 1 key ctrl+a type 2");
+    hand("key Return");
+    viewing.waitFor("an edit", is("exaggeration", 2.0));
     hand("mousemove 200 300 key Escape sleep 0.3 key Escape");
     viewing.waitFor("a question, since there are edits", is("closing", true));
     click(viewing, "Save and close");
@@ -175,17 +178,17 @@ TEST_F(WindowTest, EveryObjectIsOneToMoveAbout) {
     const auto hovers = [](const std::string& words) {
         return [words](const json& frame) { return frame.at("hover").get<std::string>().find(words) == 0; };
     };
-    hand("mousemove 138 180");
+    hand("mousemove 501 180");
     json second = viewing.waitFor("the second planet's place", hovers("planet 2"));
     EXPECT_NE(second.at("hover").get<std::string>().find("height"), std::string::npos) << second.at("hover");
-    hand("mousemove 501 180");
+    hand("mousemove 138 180");
     viewing.waitFor("the sphere", hovers("sphere 3"));
     hand("mousemove 700 500");
     viewing.waitFor("nothing once the cursor has left", is("hover", ""));
-    hand("mousemove 138 180 click 1");
+    hand("mousemove 501 180 click 1");
     viewing.waitFor("the second is the target", is("target_shape", 1));
     json before = viewing.waitForStill();
-    desktop_->drag(138, 180, 158, 180);
+    desktop_->drag(501, 180, 521, 180);
     json after = viewing.waitForStill();
     EXPECT_NEAR(after.at("altitude").get<double>(), before.at("altitude").get<double>(), 1.5);
     EXPECT_GT(std::abs(after.at("eye")[1].get<double>() - before.at("eye")[1].get<double>()), 5.0)
