@@ -1,7 +1,6 @@
 #include "viewer/globe.h"
 
-#include "surface/ripples.h"
-#include "surface/spline.h"
+#include "surface/interpolator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,29 +83,10 @@ dvec3 Globe::objectDirection(const dvec3& world) const {
     return transformVector(object_from_world_, world);
 }
 
-double Globe::rippleAt(const dvec3& object_direction) const {
-    dvec3 d = glm::normalize(object_direction);
-    const Heightmap& map = nodes_->map();
-    double phase = ripplePhase(map, std::atan2(d.x, d.z));
-    double fall = map.ripples->v_frequency * std::acos(std::clamp(d.y, -1.0, 1.0));
-    return 0.5 + 0.5 * std::sin(phase) * std::sin(fall);
-}
-
-// What the surface is made of, as it is shown; between bilinear nodes a cap row is half as high.
 double Globe::storedAt(const dvec3& object_direction) const {
-    if (nodes_->map().ripples) return rippleAt(object_direction);
-    dvec3 d = glm::normalize(object_direction);
-    double colatitude = std::acos(std::clamp(d.y, -1.0, 1.0));
-    if (relief_.filter == Filter::BSpline) return SplineNodes(*nodes_).value(std::atan2(d.x, d.z), colatitude);
-    double column = nodes_->column(std::atan2(d.x, d.z)), row = nodes_->nodeRow(colatitude);
-    int j = std::clamp(int(std::floor(row)), 0, nodes_->rows() - 1), width = nodes_->width();
-    double north = nodes_->colatitude(j), south = nodes_->colatitude(j + 1);
-    double fv = std::clamp((colatitude - north) / (south - north), 0.0, 1.0);
-    double left = std::floor(column), fu = column - left;
-    auto wrapped = [&](double i) { return std::size_t(std::fmod(std::fmod(i, width) + width, width)); };
-    std::size_t i0 = wrapped(left), i1 = wrapped(left + 1.0);
-    const float *above = nodes_->row(j), *below = nodes_->row(j + 1);
-    return (1.0 - fv) * ((1.0 - fu) * above[i0] + fu * above[i1]) + fv * ((1.0 - fu) * below[i0] + fu * below[i1]);
+    const dvec3 d = glm::normalize(object_direction);
+    const double colatitude = std::acos(std::clamp(d.y, -1.0, 1.0));
+    return Interpolator(nodes_->map(), relief_.filter).at(std::atan2(d.x, d.z), colatitude).stored;
 }
 
 double Globe::ground(const dvec3& direction) const {
