@@ -78,7 +78,8 @@ void App::handle(const Event& event) {
             break;
         case Event::KeyDown:
         case Event::Character: {
-            const bool typed = ImGui::GetIO().WantTextInput;
+            // WantTextInput stays for one frame more than the field has the keys.
+            const bool typed = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
             if (typed || event.kind == Event::KeyDown) hand_.tell(event);
             if (event.kind == Event::KeyDown && !typed && !event.repeated) key(event);
             break;
