@@ -1,21 +1,23 @@
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/frames.h"
 #include "cli/header.h"
 #include "cli/outputs.h"
 #include "cli/placecamera.h"
 #include "cli/print.h"
 #include "cli/resume.h"
+#include "cli/sceneondevice.h"
 #include "cli/sceneoptions.h"
 #include "cli/signals.h"
 #include "image/picture.h"
-#include "render/renderer.h"
+#include "reference/ground.h"
 
 #include <unistd.h>
 
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <future>
+#include <memory>
 #include <optional>
 
 namespace dsphere::cli {
@@ -30,6 +32,7 @@ struct RenderOptions {
     CommonOptions common;
     SceneOptions scene;
     std::string outfile, aov, resume;
+    FrameOptions frames;
     std::optional<Format> format;
     std::optional<double> exposure;
     ToneCurve tone = ToneCurve::Linear;
@@ -44,6 +47,8 @@ struct Target {
     Format format = Format::Png;
     std::uint32_t aovs = 0, colours = kColourPlanes;
 
+    /// What the first pass renders.
+    std::uint32_t planes() const { return aovs ? aovs : colours; }
     bool isOutput() const { return path == kStandardOutput; }
     std::string name() const { return isOutput() ? "standard output" : path.string(); }
 };
@@ -101,8 +106,8 @@ void checkFormat(const RenderOptions& options, const Target& target) {
 }
 
 // Wrong options must not cost a render first.
-Target checkTarget(const RenderOptions& options, const Scene& scene) {
-    Target target{.path = options.outfile.empty() ? scene.film.filename : options.outfile};
+Target checkTarget(const RenderOptions& options, const Scene& scene, const std::filesystem::path& path) {
+    Target target{.path = path};
     target.aovs = parseAovs(options.aov);
     target.format = formatOf(options, target.path);
     if (target.format == Format::Exr || options.alpha) target.colours |= kAlphaPlane;
@@ -183,8 +188,20 @@ struct Rendered {
     }
 };
 
+// `update_planes` is told the share that is done of the AOVs; false ends all by an Error. `update` is told that of the
+// colour; false ends it after the sample in progress. Both may throw.
+Rendered renderAll(Renderer& renderer, const Scene& scene, const Target& target, SampleSums start,
+                   const Progress& update_planes, const Progress& update) {
+    Rendered result;
+    if (target.aovs) result.planes = renderer.renderPlanes(target.aovs, update_planes);
+    if (scene.sampler.pixel_samples > 0)
+        result.colour = renderer.renderSums(std::move(start), scene.sampler.pixel_samples,
+                                            std::uint32_t(scene.sampler.seed), update, target.colours);
+    return result;
+}
+
 // An interruption ends it at once, by an Error, or after the sample in progress if a part is to be written.
-Rendered renderAll(Renderer& renderer, const Scene& scene, const RenderOptions& options, const Target& target,
+Rendered renderOne(Renderer& renderer, const Scene& scene, const RenderOptions& options, const Target& target,
                    SampleSums start) {
     ProgressLine line(options.common.progress, options.common.quiet, "render");
     const auto update = [&](double share) { return line.update(share); };
@@ -194,12 +211,7 @@ Rendered renderAll(Renderer& renderer, const Scene& scene, const RenderOptions& 
         line.say("interrupted: completing the sample in progress; once more to stop at once");
         return false;
     };
-    Rendered result;
-    if (target.aovs) result.planes = renderer.renderPlanes(target.aovs, update);
-    if (scene.sampler.pixel_samples > 0)
-        result.colour = renderer.renderSums(std::move(start), scene.sampler.pixel_samples,
-                                            std::uint32_t(scene.sampler.seed), updateOrThrow, target.colours);
-    return result;
+    return renderAll(renderer, scene, target, std::move(start), update, updateOrThrow);
 }
 
 [[noreturn]] void throwPartial(const RenderOptions& options, const Target& target, int samples, int wanted) {
@@ -218,6 +230,82 @@ void writeTarget(const Target& target, const Image& picture, const Metadata& met
         writePng(target.path, picture, {options.exposure.value_or(0.0), options.tone});
 }
 
+Notices noticesOf(std::size_t non_finite_pixels) {
+    if (non_finite_pixels == 0) return {};
+    return {{Notice::Kind::Warning, fmt::format("{} pixels hold light that is not finite", non_finite_pixels)}};
+}
+
+void printFrames(const FrameCounts& counts, double device_seconds, const RenderOptions& options) {
+    const double each = counts.written > 0 ? 1.0 / counts.written : 0.0;
+    if (options.common.json) {
+        const nlohmann::ordered_json json = {{"frames", counts.written},
+                                             {"skipped", counts.skipped},
+                                             {"seconds", counts.seconds},
+                                             {"device_seconds", device_seconds},
+                                             {"writing_seconds", counts.writing_seconds}};
+        printText(jsonText(json));
+    }
+    if (options.common.quiet) return;
+    printErr("frames   {} written, {} were there\n", counts.written, counts.skipped);
+    printErr("time     {:.2f} s in all; a frame {:.3f} s, {:.3f} s on the device, {:.3f} s to write beside it\n",
+             counts.seconds, each * counts.seconds, each * device_seconds, each * counts.writing_seconds);
+}
+
+Target checkFrames(const RenderOptions& options, const Scene& scene, const FramePlan& plan,
+                   const std::vector<int>& missing) {
+    if (!options.resume.empty() || options.write_partial)
+        throwUsage("--frames excludes --resume and --write-partial; see --skip-existing");
+    const int first = missing.empty() ? plan.range.first : missing.front();
+    Target target = checkTarget(options, scene, plan.name.of(first));
+    if (target.format == Format::Exr && plan.motion && plan.motion->exposureAt(0))
+        throwUsage("{}: column exposure: an EXR holds light as it is; exposure is for .png", options.frames.path);
+    std::vector<NamedFile> inputs = inputsOf(scene);
+    if (plan.motion) inputs.push_back({options.frames.path, "--path"});
+    for (const int number : missing) checkOutputs({{plan.name.of(number), "a frame"}}, inputs);
+    return target;
+}
+
+int runFrames(const RenderOptions& options, Scene& scene, const MarchMethod& method) {
+    const Completing completing;  // frames that are rendered are written
+    const FramePlan plan(options.frames, options.outfile.empty() ? scene.film.filename : options.outfile);
+    const std::vector<int> missing = plan.missing();
+    const Target target = checkFrames(options, scene, plan, missing);
+    FrameCounts counts{.skipped = plan.range.count() - int(missing.size())};
+    FrameNotices notices;
+    double device_seconds = 0.0;
+    if (!missing.empty()) {
+        SceneOnDevice shown(scene, options.scene, options.common, method, target.planes());
+        ProgressLine line(options.common.progress, options.common.quiet, "render");
+        const RenderFrame render = [&](Frame frame, const FrameProgress& progress) {
+            shown.moving().change(frame.scene);
+            notices.add(frame.number, reference::warnOfBuriedEye(frame.scene, shown.moving().maps()));
+            const double before = shown.renderer().stats().device_seconds;
+            const auto progressOfPlanes = [&](double) { return progress(0.0); };
+            auto rendered = std::make_shared<Rendered>(
+                renderAll(shown.renderer(), frame.scene, target, {}, progressOfPlanes, progress));
+            checkValidation(shown.device());
+            notices.add(frame.number, noticesOf(nonFinitePixels(rendered->colour)));
+            std::optional<double> seconds = shown.renderer().stats().device_seconds - before;
+            device_seconds += *seconds;
+            if (options.reproducible) seconds.reset();
+            return [&, seconds, rendered, frame = std::move(frame)] {
+                const Origin origin = originOf(frame.scene, shown.moving().maps(), method, shown.device().info());
+                const int samples = rendered->colour.samples;
+                RenderOptions of_frame = options;
+                if (frame.exposure) of_frame.exposure = frame.exposure;
+                Target file = target;
+                file.path = frame.path;
+                writeTarget(file, std::move(*rendered).picture(), makeMetadata(frame.scene, origin, samples, seconds),
+                            of_frame);
+            };
+        };
+        renderFrames(plan, missing, scene, line, counts, render);
+    }
+    if (!options.common.quiet) printNotices(notices.all());
+    printFrames(counts, device_seconds, options);
+    return int(ExitCode::Ok);
+}
+
 int runRender(const RenderOptions& options) {
     Clock::time_point start = Clock::now();
     std::optional<Completing> completing;  // lasts until all else is taken down
@@ -225,44 +313,28 @@ int runRender(const RenderOptions& options) {
     if (!options.common.quiet) printNotices(scene.notices);
     scene.integrator.clamp = options.clamp;
     scene.integrator.hide_distance = options.alpha;
-    Target target = checkTarget(options, scene);
-    const int samples = scene.sampler.pixel_samples;
     const MarchMethod method(options.scene.marcher, MarchMethod().threshold, options.detail);
-    // A driver compiles while the maps are read. A bad map is what the user hears of first, whatever the device.
-    auto reading = std::async(std::launch::async, [&scene] { return loadSceneMaps(scene); });
-    std::optional<gpu::Device> opened;
-    std::future<void> compiling;
-    try {
-        opened.emplace(gpu::DeviceOptions{options.common.device, options.common.validation});
-        compiling = warmAhead(*opened, traitsOf(scene), method, target.aovs ? target.aovs : target.colours);
-    } catch (...) {
-        reading.get();
-        throw;
-    }
-    gpu::Device& device = *opened;
-    SceneMaps maps = reading.get();
-    placeCamera(scene, maps, options.scene);
-    if (!options.common.quiet) printNotices(maps.notices()), printCameraNotices(scene, maps);
-    PackedScene packed = packScene(scene, maps, options.detail > 0.0f ? Levels::All : Levels::Finest);
-    if (compiling.valid()) compiling.get();
-    Renderer renderer(device, packed, scene, method);
-
-    const Origin origin = originOf(scene, maps, method, device.info());
+    if (options.frames.wanted()) return runFrames(options, scene, method);
+    Target target = checkTarget(options, scene, options.outfile.empty() ? scene.film.filename : options.outfile);
+    const int samples = scene.sampler.pixel_samples;
+    SceneOnDevice shown(scene, options.scene, options.common, method, target.planes());
+    const SceneMaps& maps = shown.moving().maps();
+    if (!options.common.quiet) printCameraNotices(scene, maps);
+    const Origin origin = originOf(scene, maps, method, shown.device().info());
     Earlier earlier;
     if (!options.resume.empty()) earlier = readEarlier(options.resume, origin, samples);
     if (earlier.sums.samples > 0 && !earlier.sums.sums.find("A")) target.colours = kColourPlanes;
     if (options.write_partial) completing.emplace();
-    Rendered rendered = renderAll(renderer, scene, options, target, std::move(earlier.sums));
-    checkValidation(device);
+    Rendered rendered = renderOne(shown.renderer(), scene, options, target, std::move(earlier.sums));
+    checkValidation(shown.device());
     const int done = rendered.colour.samples;
     const std::size_t non_finite = nonFinitePixels(rendered.colour);
-    std::optional<double> seconds = earlier.device_seconds + renderer.stats().device_seconds;
+    std::optional<double> seconds = earlier.device_seconds + shown.renderer().stats().device_seconds;
     if (options.reproducible) seconds.reset();
     writeTarget(target, std::move(rendered).picture(), makeMetadata(scene, origin, done, seconds), options);
     if (done < samples) throwPartial(options, target, done, samples);
-    const Result result{target, device.info(), renderer, maps, secondsSince(start), non_finite};
-    if (non_finite > 0 && !options.common.quiet)
-        printNotices({{Notice::Kind::Warning, fmt::format("{} pixels hold light that is not finite", non_finite)}});
+    const Result result{target, shown.device().info(), shown.renderer(), maps, secondsSince(start), non_finite};
+    if (!options.common.quiet) printNotices(noticesOf(non_finite));
     if (options.common.json) printJson(result);
     if (!options.common.quiet) printReport(result, options.common.verbose);
     return int(ExitCode::Ok);
@@ -317,6 +389,7 @@ void addRender(CLI::App& app, Action& action) {
                      "picture is that of an uninterrupted render, bit for bit")
         ->type_name("FILE.exr");
     addDetail(*command, options->detail);
+    addFrameOptions(*command, options->frames);
     addCommonOptions(*command, options->common);
     command->callback([options, &action] { action = [options] { return runRender(*options); }; });
 }

@@ -5,6 +5,7 @@
 #include "geo/mapfile.h"
 #include "render/raster.h"
 #include "scene/heightmapscene.h"
+#include "scene/motion.h"
 #include "scene/parser.h"
 
 #include <algorithm>
@@ -89,6 +90,7 @@ Scene loadScene(const SceneOptions& options) {
     Scene scene = is_map ? heightmapScene(options.scene) : parseSceneFile(options.scene);
     if (is_map) applyTo(scene, options.map);
     applyFilm(scene.film, options);
+    if (!std::isfinite(options.exaggeration)) throwUsage("--exaggeration: expected a finite number");
     if (options.exaggeration != 1.0) exaggerate(scene, options.exaggeration);
     if (options.quick) scene.sampler.pixel_samples = 1;
     if (options.samples) scene.sampler.pixel_samples = *options.samples;

@@ -1,0 +1,28 @@
+#include "cli/sceneondevice.h"
+
+#include "cli/placecamera.h"
+
+#include <future>
+
+namespace dsphere::cli {
+
+SceneOnDevice::SceneOnDevice(Scene& scene, const SceneOptions& placement, const CommonOptions& common,
+                             const MarchMethod& method, std::uint32_t planes) {
+    auto reading = std::async(std::launch::async, [&scene] { return loadSceneMaps(scene); });
+    std::future<void> compiling;
+    try {
+        device_.emplace(gpu::DeviceOptions{common.device, common.validation});
+        compiling = warmAhead(*device_, traitsOf(scene), method, planes);
+    } catch (...) {
+        reading.get();  // a bad map is what the user hears of first, whatever the device
+        throw;
+    }
+    SceneMaps maps = reading.get();
+    placeCamera(scene, maps, placement);
+    if (!common.quiet) printNotices(maps.notices());
+    PackedScene packed = packScene(scene, maps, levelsOf(method));
+    if (compiling.valid()) compiling.get();
+    moving_.emplace(*device_, scene, std::move(maps), std::move(packed), method);
+}
+
+}  // namespace dsphere::cli
