@@ -129,8 +129,7 @@ void FrameNotices::add(int frame, const Notices& notices) {
 Notices FrameNotices::all() const {
     Notices all = first_;
     if (!others_.empty())
-        all.push_back(
-            {Notice::Kind::Warning, fmt::format("{} more frames have warnings of this kind", others_.size())});
+        all.push_back({Notice::Kind::Warning, fmt::format("other frames with warnings: {}", others_.size())});
     return all;
 }
 

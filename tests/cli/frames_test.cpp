@@ -91,6 +91,42 @@ TEST_F(FramesTest, SkipsWhatIsThere) {
     EXPECT_NE(bytes("t1.png"), "kept");
 }
 
+TEST_F(FramesTest, NoFrameReplacesAnInput) {
+    folder_.write("f3.png", "exposure\n1\n");
+    expectFailure(frames({"--path", "f3.png", "--frames", "0-3", "-o", "f%d.png"}), 2,
+                  "f3.png: a frame would replace f3.png, which is --path of this run");
+    std::filesystem::create_symlink("map.pgm", path("t2.png"));
+    const std::string map = bytes("map.pgm");
+    expectFailure(frames({"--turntable", "3", "-o", "t%d.png"}), 2, "t2.png: a frame would replace");
+    EXPECT_EQ(bytes("map.pgm"), map);
+    EXPECT_FALSE(exists("f0.png") || exists("t0.png")) << "something was rendered";
+    render({"--turntable", "3", "-o", "t%d.png", "--skip-existing"});
+    EXPECT_EQ(bytes("map.pgm"), map);
+}
+
+TEST_F(FramesTest, AnEyeUnderTheGroundIsToldOnce) {
+    folder_.write("low.csv", "frame,lat,lon,alt\n0,0,0,1\n1,0,0,0.001\n3,0,0,0.001\n");
+    folder_.write("planet.pbrt", planet("\"float maxdispl\" 10 \"float midlevel\" -0.5"));
+    const Outcome outcome = frames({"--path", "low.csv", "--frames", "0-3", "-o", "f%d.png"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_TRUE(holds(outcome.err, "dsphere: warning: frame 1: planet.pbrt:"));
+    EXPECT_TRUE(holds(outcome.err, "the eye lies inside this shape"));
+    EXPECT_TRUE(holds(outcome.err, "dsphere: warning: other frames with warnings: 2"));
+    EXPECT_FALSE(holds(outcome.err, "frame 0:"));
+}
+
+TEST_F(FramesTest, MoveACameraThatOptionsPlace) {
+    const Words place = {"--lookat-latlon", "10,20,1.5", "--heading", "30", "--spp", "1"};
+    const auto with = [&place](Words options) {
+        options.insert(options.end(), place.begin(), place.end());
+        return options;
+    };
+    render(with({"--turntable", "2", "-o", "t%d.png"}));
+    render(with({"-o", "one.png"}));
+    EXPECT_EQ(bytes("t0.png"), bytes("one.png"));
+    EXPECT_NE(bytes("t1.png"), bytes("one.png"));
+}
+
 TEST_F(FramesTest, AnInterruptionLeavesWholeFrames) {
     Launch launch{.arguments = {"render", "planet.pbrt", "--frames", "0-9999", "-o", "f%d.png", "--spp", "64",
                                 "--progress", "always"}};
