@@ -143,7 +143,8 @@ TEST(Motion, ErrorsOfASceneThatDoesNotFitNameTheFrame) {
     EXPECT_TRUE(holds(messageFor("sun_lon,sun_lat\n1,2\n", plain), "need a distant light"));
     EXPECT_TRUE(holds(messageFor("eye_x,eye_y,eye_z,look_x,look_y,look_z\n1,1,1,1,1,1\n", planet()),
                       "frame 4: the eye (1, 1, 1) is the point looked at"));
-    expectError(ExitCode::InvalidInput, "--path: cannot open nowhere.csv: No such file", [] { Motion::read("nowhere.csv"); });
+    expectError(ExitCode::InvalidInput, "--path: cannot open nowhere.csv: No such file",
+                [] { Motion::read("nowhere.csv"); });
 }
 
 }  // namespace
