@@ -98,14 +98,4 @@ Scene loadScene(const SceneOptions& options) {
     return scene;
 }
 
-void exaggerate(Scene& scene, double factor) {
-    if (!std::isfinite(factor)) throwUsage("--exaggeration: expected a finite number");
-    for (Shape& shape : scene.shapes) {
-        auto* sphere = std::get_if<DisplacedSphere>(&shape.geometry);
-        if (!sphere) continue;
-        sphere->max_displacement *= factor;
-        if (sphere->height_scale) *sphere->height_scale *= factor;
-    }
-}
-
 }  // namespace dsphere::cli

@@ -34,7 +34,4 @@ bool isHeightmap(const std::string& name);
 /// of range, (InvalidInput) for the scene.
 Scene loadScene(const SceneOptions& options);
 
-/// Multiplies all displacements. Error (Usage) for a factor that is not finite.
-void exaggerate(Scene& scene, double factor);
-
 }  // namespace dsphere::cli

@@ -3,7 +3,10 @@
 #include "cli/placecamera.h"
 #include "cli/sceneoptions.h"
 #include "cli/signals.h"
+#include "scene/motion.h"
 #include "viewer/viewer.h"
+
+#include <cmath>
 
 namespace dsphere::cli {
 
@@ -19,6 +22,8 @@ int runView(const ViewOptions& options) {
         throw Error(ExitCode::Usage, "view: a scene from standard input cannot be watched; name a file");
     if (options.scene.samples && (*options.scene.samples < 1 || *options.scene.samples > 65536))
         throw Error(ExitCode::Usage, fmt::format("--spp: {} is outside 1 to 65536", *options.scene.samples));
+    if (!std::isfinite(options.scene.exaggeration))
+        throw Error(ExitCode::Usage, "--exaggeration: expected a finite number");
     viewer::ViewerOptions viewer = options.viewer;
     viewer.path = options.scene.scene;
     viewer.method = options.scene.marcher;
