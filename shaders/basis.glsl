@@ -6,11 +6,11 @@ struct Basis {
 
 // Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
 Basis basisAbout(const vec3 z) {
-    float s = z.z < 0.0 ? -1.0 : 1.0;
-    float a = -1.0 / (s + z.z);
-    float b = z.x * z.y * a;
+    real s = z.z < real(0) ? real(-1) : real(1);
+    real a = real(-1) / (s + z.z);
+    real b = z.x * z.y * a;
     Basis basis;
-    basis.x = vec3(1.0 + s * z.x * z.x * a, s * b, -s * z.x);
+    basis.x = vec3(real(1) + s * z.x * z.x * a, s * b, -s * z.x);
     basis.y = vec3(b, s + z.y * z.y * a, -z.y);
     basis.z = z;
     return basis;
@@ -26,7 +26,7 @@ vec3 outOfBasis(const Basis basis, const vec3 v) {
 
 // By the density cos / pi.
 vec3 cosineDirection(const vec2 u) {
-    float angle = 2.0 * kPi * u.y;
-    float sine = sqrt(u.x);
-    return vec3(sine * cos(angle), sine * sin(angle), sqrt(1.0 - u.x));
+    real angle = real(2) * kPi * u.y;
+    real sine = sqrt(u.x);
+    return vec3(sine * cos(angle), sine * sin(angle), sqrt(real(1) - u.x));
 }

@@ -1,6 +1,6 @@
 // First rays of the camera, see objects.glsl.
 
-Segment cameraSegment(const vec2 raster, const vec2 jitter, const float clear) {
+Segment cameraSegment(const vec2 raster, const vec2 jitter, const real clear) {
     Segment segment = firstSegment(clear);
     segment.raster = raster;
     segment.jitter = jitter;
@@ -31,5 +31,5 @@ vec3 firstDirection(const Segment segment) {
 vec3 firstStart(const Segment segment) {
     ObjectData object = first_object;
     vec2 pixel = segment.raster + segment.jitter - vec2(object.anchor_x, object.anchor_y);
-    return pixel.x * object.start_x.xyz + pixel.y * object.start_y.xyz - object.from_start.xyz;
+    return pixel.x * XYZ(object.start_x) + pixel.y * XYZ(object.start_y) - XYZ(object.from_start);
 }

@@ -191,8 +191,8 @@ void strollOn(INOUT(Stroll) stroll, const Reach reach) {
 }
 
 #ifdef WITH_CURVED
-void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, const real scale,
-                const bool may_be_inside);  // curvedstroll.glsl
+FORWARD(void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, const real scale,
+                        const bool may_be_inside))  // curvedstroll.glsl
 #else
 // g along a chord, y in [0, 1], in the patch and on its piece: the quartic's coefficients from the products, then the
 // parabola through its ends and middle, where y^3 = 1.5 y^2 - 0.5 y and y^4 = 1.75 y^2 - 0.75 y.

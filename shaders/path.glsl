@@ -21,19 +21,19 @@ vec2 numbersAt(const Numbers numbers, const int vertex, const uint pair) {
 
 // The place in the filter, about the pixel's centre.
 vec2 filterPlace(const vec2 u) {
-    if (kFilter == FILTER_BOX) return vec2(kRadiusX, kRadiusY) * (2.0 * u - 1.0);
-    vec2 place = u * float(FILTER_INTERVALS);
+    if (kFilter == FILTER_BOX) return vec2(kRadiusX, kRadiusY) * (real(2) * u - real(1));
+    vec2 place = u * real(FILTER_INTERVALS);
     ivec2 i = ivec2(place);
     vec2 t = place - vec2(i);
     int second = FILTER_INTERVALS + 1;
-    return vec2(mix(tables[i.x], tables[i.x + 1], t.x), mix(tables[second + i.y], tables[second + i.y + 1], t.y));
+    return vec2(mix(real(tables[i.x]), real(tables[i.x + 1]), t.x), mix(real(tables[second + i.y]), real(tables[second + i.y + 1]), t.y));
 }
 
 // How much the sample at filterPlace(u) counts.
-float filterWeight(const vec2 u) {
-    if (kFilter != FILTER_SIGNED) return 1.0;
-    ivec2 i = ivec2(u * float(FILTER_INTERVALS)) + 2 * (FILTER_INTERVALS + 1);
-    return tables[i.x] * tables[FILTER_INTERVALS + i.y];
+real filterWeight(const vec2 u) {
+    if (kFilter != FILTER_SIGNED) return real(1);
+    ivec2 i = ivec2(u * real(FILTER_INTERVALS)) + 2 * (FILTER_INTERVALS + 1);
+    return real(tables[i.x]) * real(tables[FILTER_INTERVALS + i.y]);
 }
 
 // A vertex of the path: the hit and its material, made ready.
@@ -52,7 +52,7 @@ Vertex makeVertex(const SurfacePoint point, const vec3 colour, const bool soften
     vertex.material = materials[point.object + (kRegularize != 0 && softened ? MAX_OBJECTS : 0)];
     vertex.colour = colour;
     // A camera on the surface itself is 0 away, and sees it from above.
-    bool apart = !point.inside && dot(point.towards, point.towards) > 0.0;
+    bool apart = !point.inside && dot(point.towards, point.towards) > real(0);
     vec3 view = apart ? normalize(-point.towards) : point.normal;
     vec3 normal = shadingNormal(point);
     vertex.basis = basisAbout(normal);
@@ -64,8 +64,8 @@ Vertex makeVertex(const SurfacePoint point, const vec3 colour, const bool soften
 Scattering scatterTowards(const Vertex vertex, const vec3 direction) {
     vec3 light = intoBasis(vertex.basis, direction);
     Scattering result = scatter(vertex.material, vertex.colour, vertex.view, light);
-    float cosine = dot(vertex.point.normal, direction);
-    if (cosine <= 0.0) result.value = vec3(0.0);
+    real cosine = dot(vertex.point.normal, direction);
+    if (cosine <= real(0)) result.value = vec3(real(0));
 #ifdef WITH_CURVED
     result.value *= terminatorShare(cosine, light.z, dot(vertex.point.normal, vertex.basis.z));
 #endif
@@ -73,14 +73,14 @@ Scattering scatterTowards(const Vertex vertex, const vec3 direction) {
 }
 
 // Whether anything but the light itself stands between P' and the sample.
-bool isVisible(const SurfacePoint point, const LightData light, const LightSample light_sample, inout Searches searches) {
+bool isVisible(const SurfacePoint point, const LightData light, const LightSample light_sample, INOUT(Searches) searches) {
     return !isShaded(point, light_sample.place, light_sample.ends, light.object, searches);
 }
 
 // `own` > 0. Neither is squared: densities of grazing directions are large.
-float powerWeight(const float own, const float other) {
-    float ratio = other / own;
-    return 1.0 / (1.0 + ratio * ratio);
+real powerWeight(const real own, const real other) {
+    real ratio = other / own;
+    return real(1) / (real(1) + ratio * ratio);
 }
 
 // How a sample of the picture is gathered.
@@ -91,8 +91,8 @@ struct Rules {
 };
 
 // Light k's share of what leaves the vertex, and whether its sample is `seen`. `chance`: of this light's being asked.
-vec3 lightThrough(const Vertex vertex, const int k, const vec2 u, const float chance, const Rules rules, out bool seen,
-                  inout Searches searches) {
+vec3 lightThrough(const Vertex vertex, const int k, const vec2 u, const real chance, const Rules rules, OUT(bool) seen,
+                  INOUT(Searches) searches) {
     LightData light = lights[k];
     SurfacePoint point = vertex.point;
     LightSample light_sample = sampleLight(light, point.from_first, point.normal, u);
@@ -100,30 +100,30 @@ vec3 lightThrough(const Vertex vertex, const int k, const vec2 u, const float ch
     vec3 direction = normalize(towards);
     Scattering scattering = scatterTowards(vertex, direction);
     vec3 result = scattering.value * light_sample.radiance / chance;
-    if (rules.weighed && light_sample.density > 0.0) result *= powerWeight(light_sample.density * chance, scattering.density);
-    seen = dot(point.normal, direction) > 0.0 && light.object != point.object;
-    if (seen && rules.shadowed && (rules.centre || max(result.x, max(result.y, result.z)) > 0.0))
+    if (rules.weighed && light_sample.density > real(0)) result *= powerWeight(light_sample.density * chance, scattering.density);
+    seen = dot(point.normal, direction) > real(0) && light.object != point.object;
+    if (seen && rules.shadowed && (rules.centre || max(result.x, max(result.y, result.z)) > real(0)))
         seen = isVisible(point, light, light_sample, searches);
-    return seen ? result : vec3(0.0);
+    return seen ? result : vec3(real(0));
 }
 
 // The light drawn for a path's later vertices.
-int drawnLight(const float u) {
+int drawnLight(const real u) {
     int k = 0;
-    for (int i = 0; i + 1 < kLightCount; ++i) k = u >= lights[i].shares ? i + 1 : k;
+    for (int i = 0; i + 1 < kLightCount; ++i) k = u >= real(lights[i].shares) ? i + 1 : k;
     return k;
 }
 
 // Where the material's sample was taken, for what the path meets next.
 struct Departure {
     vec3 normal;
-    float density;  // 0: the sample has no rival
+    real density;  // 0: the sample has no rival
     bool from_camera_hit;
 };
 
 // What the hit, or the distance, sends back along the path.
 vec3 emitted(const SurfacePoint point, const vec3 direction, const Departure departure) {
-    vec3 sum = vec3(0.0);
+    vec3 sum = vec3(real(0));
     int k = 0;
     do {
         LightData light = lights[k];
@@ -134,8 +134,8 @@ vec3 emitted(const SurfacePoint point, const vec3 direction, const Departure dep
             emission = surfaceEmission(light, point.from_first - point.towards, point.towards, point.normal);
         else
             emission = infiniteEmission(light, departure.normal, direction);
-        float rival = emission.density * (departure.from_camera_hit ? 1.0 : light.share);
-        sum += emission.radiance * (departure.density > 0.0 ? powerWeight(departure.density, rival) : 1.0);
+        real rival = emission.density * (departure.from_camera_hit ? real(1) : real(light.share));
+        sum += emission.radiance * (departure.density > real(0) ? powerWeight(departure.density, rival) : real(1));
     } while (++k < kLightCount);
     return sum;
 }
@@ -156,10 +156,10 @@ Path startPath(const Segment segment, const Numbers numbers, const bool going) {
     path.result = nothingGathered();
     path.segment = segment;
     path.numbers = numbers;
-    path.departure.normal = vec3(0.0, 0.0, 1.0);
-    path.departure.density = 0.0;
+    path.departure.normal = vec3(real(0), real(0), real(1));
+    path.departure.density = real(0);
     path.departure.from_camera_hit = false;
-    path.throughput = vec3(1.0);
+    path.throughput = vec3(real(1));
     path.vertices = 0;
     path.going = going;
     path.softened = false;
@@ -167,9 +167,9 @@ Path startPath(const Segment segment, const Numbers numbers, const bool going) {
 }
 
 // Light straight from the lights: all of them at the first vertex, one that is drawn at others.
-void gatherLights(inout Path path, const Vertex vertex, const Rules rules) {
+void gatherLights(INOUT(Path) path, const Vertex vertex, const Rules rules) {
     const int n = path.vertices;
-    float draw = n == 0 ? 0.0 : numbersAt(path.numbers, n, kPairChoice).x;
+    real draw = n == 0 ? real(0) : numbersAt(path.numbers, n, kPairChoice).x;
     bool all = n == 0 || kDiffusePaths == 0;
     if (kLightCount == 0) return;
     int asked = all ? kLightCount : 1;
@@ -177,7 +177,7 @@ void gatherLights(inout Path path, const Vertex vertex, const Rules rules) {
         int k = all ? i : drawnLight(draw);
         vec2 u = numbersAt(path.numbers, n, kPairLights + uint(k));
         bool seen = false;
-        vec3 light = lightThrough(vertex, k, u, all ? 1.0 : lights[k].share, rules, seen, path.result.searches);
+        vec3 light = lightThrough(vertex, k, u, all ? real(1) : real(lights[k].share), rules, seen, path.result.searches);
         path.result.colour += path.throughput * light;
         if (n == 0 && seen) path.result.lit |= 1u << k;
         if (i + 1 >= asked) break;
@@ -185,26 +185,26 @@ void gatherLights(inout Path path, const Vertex vertex, const Rules rules) {
 }
 
 // Turns the path to where the material reflects it, if anywhere.
-void reflectPath(inout Path path, const Vertex vertex) {
+void reflectPath(INOUT(Path) path, const Vertex vertex) {
     const int n = path.vertices;
     vec2 lobe = numbersAt(path.numbers, n, kPairLobe);
     vec3 local = sampleMaterial(vertex.material, vertex.view, numbersAt(path.numbers, n, kPairDirection), lobe.x);
     path.segment.direction = outOfBasis(vertex.basis, local);
     if (isMaterial(vertex.material, MATERIAL_MIRROR)) {
-        path.throughput *= vertex.material.specular.rgb;
-        path.departure.density = 0.0;
-        path.going = local.z > 0.0 && dot(vertex.point.normal, path.segment.direction) > 0.0;
+        path.throughput *= XYZ(vertex.material.specular);
+        path.departure.density = real(0);
+        path.going = local.z > real(0) && dot(vertex.point.normal, path.segment.direction) > real(0);
     } else {
         Scattering scattering = scatterTowards(vertex, path.segment.direction);
-        path.throughput *= scattering.density > 0.0 ? scattering.value / scattering.density : vec3(0.0);
+        path.throughput *= scattering.density > real(0) ? scattering.value / scattering.density : vec3(real(0));
         path.departure.density = scattering.density;
         path.softened = true;
-        path.going = kDiffusePaths != 0 && max(path.throughput.x, max(path.throughput.y, path.throughput.z)) > 0.0;
+        path.going = kDiffusePaths != 0 && max(path.throughput.x, max(path.throughput.y, path.throughput.z)) > real(0);
     }
     if (n >= kRouletteFrom) {
-        float chance = min(max(path.throughput.x, max(path.throughput.y, path.throughput.z)), 0.95);
+        real chance = min(max(path.throughput.x, max(path.throughput.y, path.throughput.z)), real(0.95));
         path.going = path.going && lobe.y < chance;
-        path.throughput /= max(chance, 1e-6);
+        path.throughput /= max(chance, real(1e-6));
     }
     path.departure.normal = vertex.point.normal;
     path.departure.from_camera_hit = n == 0;
@@ -217,7 +217,7 @@ void reflectPath(inout Path path, const Vertex vertex) {
 }
 
 // The next vertex of a path that is going. The planes of a centre need its first alone.
-void extendPath(inout Path path, const Rules rules) {
+void extendPath(INOUT(Path) path, const Rules rules) {
     const int n = path.vertices;
     SurfacePoint point = nearestHit(path.segment);
     path.result.searches.doubtful = path.result.searches.doubtful || point.doubtful;
@@ -243,8 +243,8 @@ void extendPath(inout Path path, const Rules rules) {
 
 Gathered resultOf(const Path path, const Rules rules) {
     Gathered result = path.result;
-    float greatest = max(result.colour.x, max(result.colour.y, result.colour.z));
-    if (kClamp > 0.0 && !rules.centre && greatest > kClamp) result.colour *= kClamp / greatest;
+    real greatest = max(result.colour.x, max(result.colour.y, result.colour.z));
+    if (kClamp > real(0) && !rules.centre && greatest > kClamp) result.colour *= kClamp / greatest;
     if (!rules.centre) result.weight = filterWeight(numbersAt(path.numbers, 0, 0u));
     result.colour *= result.weight;
     return result;

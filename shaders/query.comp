@@ -4,6 +4,9 @@
 #extension GL_EXT_control_flow_attributes : require
 
 #include "resources.glsl"
+#include "retrylist.glsl"
+
+layout(push_constant) uniform Params { QueryParams pushed; };
 
 const bool kWantsColour = (kPlanes & 7u << PLANE_R) != 0u;
 const bool kWantsPlace = (kPlanes & 1u << PLANE_U) != 0u;

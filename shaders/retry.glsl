@@ -1,25 +1,21 @@
-// The list of what the filter leaves to full precision.
-layout(std430, binding = BINDING_RETRY) buffer Retry {
-    RetryHead retry;
-    RetryPixel retry_pixels[];
-};
+// The entries of retrylist.glsl.
 
-// Entries that a workgroup does.
+// How many a workgroup does.
 const uint kRetryGroup = uint(GROUP_SIZE_X * GROUP_SIZE_Y) / kRetryStride;
 
 // The invocation's entry, if it `exists`.
-RetryPixel findRetry(out bool exists) {
+RetryPixel findRetry(OUT(bool) exists) {
     uint group = gl_WorkGroupID.y * RETRY_ROW + gl_WorkGroupID.x;
     uint index = group * kRetryGroup + gl_LocalInvocationIndex / kRetryStride;
     exists = gl_LocalInvocationIndex % kRetryStride == 0u && index < retry.count;
     RetryPixel found;
     found.pixel = 0u;
-    found.clear = 0.0;
+    found.clear = real(0);
     if (exists) found = retry_pixels[index];
     return found;
 }
 
-void leaveForRetry(const uint pixel, const float clear) {
+void leaveForRetry(const uint pixel, const real clear) {
     uint place = atomicAdd(retry.count, 1u);
     retry_pixels[place].pixel = pixel;
     retry_pixels[place].clear = clear;

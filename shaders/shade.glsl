@@ -6,8 +6,8 @@ struct SurfacePoint {
     bool hit, inside, exhausted, doubtful;
     int object, steps;
     int level;  // of detail that its map was marched at
-    float clear;  // of a scene's only object: ObjectHit::clear
-    float t;
+    real clear;  // of a scene's only object: ObjectHit::clear
+    real t;
     vec3 from_first;  // position seen from object 0's centre
     vec3 position, normal;
 #ifdef WITH_CURVED
@@ -19,9 +19,9 @@ struct SurfacePoint {
 #endif
     vec3 object_position, start;  // object space, units of R; start: P', where secondary rays begin
     vec3 albedo;
-    float h;  // height on the ramp
+    real h;  // height on the ramp
     int ramp;
-    float residual;
+    real residual;
 };
 
 // A picture's sample, or the planes of its centre.
@@ -29,17 +29,17 @@ struct Gathered {
     SurfacePoint point;  // that the camera's ray met
     vec3 albedo, colour;
     uint lit;
-    float weight;  // of the camera's sample under a pixel filter: 1 unless the filter is negative in places
+    real weight;  // of the camera's sample under a pixel filter: 1 unless the filter is negative in places
     Searches searches;
 };
 
 // But the point.
 Gathered nothingGathered() {
     Gathered result;
-    result.albedo = vec3(0.0);
-    result.colour = vec3(0.0);
+    result.albedo = vec3(real(0));
+    result.colour = vec3(real(0));
     result.lit = 0u;
-    result.weight = 1.0;
+    result.weight = real(1);
     result.searches.doubtful = false;
     result.searches.steps = 0;
     return result;
@@ -47,7 +47,7 @@ Gathered nothingGathered() {
 
 // Light from right beside its source, which grows without bound: sums of it stay finite.
 vec3 finiteLight(const vec3 light) {
-    return min(light, vec3(1e30));
+    return min(light, vec3(real(1e30)));
 }
 
 // Where light comes from a smoother surface than the true one, this is its normal.
@@ -61,22 +61,22 @@ vec3 shadingNormal(const SurfacePoint point) {
 
 // Whether the hit at distance t along `towards`, at `from_first` from object 0's centre, comes before the best so far. From
 // afar t rounds to more than objects are apart; places near object 0 then tell them apart.
-bool isNearer(const SurfacePoint best, const float t, const vec3 towards, const vec3 from_first) {
+bool isNearer(const SurfacePoint best, const real t, const vec3 towards, const vec3 from_first) {
     if (!best.hit) return true;
     bool far = max(dot(from_first, from_first), dot(best.from_first, best.from_first)) < t * t;
-    return far && !best.inside ? dot(towards, from_first - best.from_first) < 0.0 : t < best.t;
+    return far && !best.inside ? dot(towards, from_first - best.from_first) < real(0) : t < best.t;
 }
 
 // The coarsest level of object k's map that is off by kDetail pixels at most all along a camera's ray: where it enters
 // the shell, pixels are smallest.
 int levelFor(const int k, const ObjectData object, const Ray ray) {
-    if (kDetail <= 0.0) return 0;
-    float half_chord = sqrt(max(object.shell_squared - ray.c2, 0.0));
-    float distance = max(-half_chord - ray.s_min, 0.0);
-    float pixels = kDetail * (object.pixel_size + distance * object.pixel_growth);
+    if (kDetail <= real(0)) return 0;
+    real half_chord = sqrt(max(real(object.shell_squared) - ray.c2, real(0)));
+    real distance = max(-half_chord - ray.s_min, real(0));
+    real pixels = kDetail * (real(object.pixel_size) + distance * real(object.pixel_growth));
     int level = 0;
     for (int next = 1; next < MAX_LEVELS; ++next)
-        level = pixels >= maps[next * MAX_OBJECTS + k].least_pixel ? next : level;
+        level = pixels >= real(maps[next * MAX_OBJECTS + k].least_pixel) ? next : level;
     return level;
 }
 
@@ -93,7 +93,7 @@ ObjectData objectOf(const int k, const int kinds) {
 }
 
 MapData mapOf(const int k, const int kinds, const int level) {
-    if (meansMain(kinds) && kDetail <= 0.0) return main_map;
+    if (meansMain(kinds) && kDetail <= real(0)) return main_map;
     return maps[level * MAX_OBJECTS + (meansMain(kinds) ? kMainObject : k)];
 }
 
@@ -104,7 +104,7 @@ struct Segment {
 #else
     vec2 raster, jitter;  // through a place of the picture
 #endif
-    float clear;  // of a first ray with a scene's only object: up to this s nothing is met
+    real clear;  // of a first ray with a scene's only object: up to this s nothing is met
 #ifdef WITH_PATHS
     bool camera;        // or of the list
     int object, level;  // that it starts on, and of whose detail
@@ -115,16 +115,16 @@ struct Segment {
 };
 
 // A ray that starts on no surface, but for where it runs.
-Segment firstSegment(const float clear) {
+Segment firstSegment(const real clear) {
     Segment segment;
     segment.clear = clear;
 #ifdef WITH_PATHS
     segment.camera = true;
     segment.object = 0;
     segment.level = 0;
-    segment.start = vec3(0.0);
-    segment.from_first = vec3(0.0);
-    segment.direction = vec3(0.0);
+    segment.start = vec3(real(0));
+    segment.from_first = vec3(real(0));
+    segment.direction = vec3(real(0));
 #endif
     return segment;
 }
@@ -152,7 +152,7 @@ Ray segmentRay(const Segment segment, const int k, const ObjectData object) {
 }
 
 // A retried first ray starts where the filter's certainty ended.
-void startClear(inout Ray ray, const Segment segment) {
+void startClear(INOUT(Ray) ray, const Segment segment) {
 #if MARCH_WITH == MARCH_FULL
     if (kObjectCount == 1 && segment.clear > ray.s_min) {
         ray.s_min = segment.clear;
@@ -202,7 +202,7 @@ bool isLeft(const Candidates candidates) {
     return (candidates.low | candidates.high) != 0u;
 }
 
-int takeFirst(inout Candidates candidates) {
+int takeFirst(INOUT(Candidates) candidates) {
     bool in_low = candidates.low != 0u;
     int k = in_low ? findLSB(candidates.low) : 32 + findLSB(candidates.high);
     candidates.high = in_low ? candidates.high : candidates.high & (candidates.high - 1u);
@@ -214,14 +214,14 @@ int takeFirst(inout Candidates candidates) {
 // above what the ray's rounding comes to. Spheres of negative radius are never met: those of other objects, so that no
 // kind has to be asked for, see uniforms.glsl.
 bool mayMeet(const vec4 sphere, const vec3 start, const vec3 direction) {
-    vec3 towards = sphere.xyz - start;
-    float along = dot(towards, direction);
+    vec3 towards = XYZ(sphere) - start;
+    real along = dot(towards, direction);
     vec3 beside = towards - along * direction;
-    float reach = sphere.w + 1e-5 * (length(start) + length(towards));
+    real reach = sphere.w + real(1e-5) * (length(start) + length(towards));
     return along > -reach && dot(beside, beside) < reach * abs(reach);
 }
 
-void addIfNear(inout Candidates candidates, const int k, const vec3 start, const vec3 direction) {
+void addIfNear(INOUT(Candidates) candidates, const int k, const vec3 start, const vec3 direction) {
     uint bit = mayMeet(objectOf(k, kDisplaced).from_first, start, direction) ? 1u << (k & 31) : 0u;
     candidates.low |= k < 32 ? bit : 0u;
     candidates.high |= k < 32 ? 0u : bit;
@@ -243,7 +243,7 @@ Candidates displacedNear(const vec3 start, const vec3 direction) {
 }
 
 // Keeps object k's hit, if it is of the kinds meant, and the nearest so far.
-void considerObject(inout SurfacePoint best, const int k, const Segment segment, const int kinds) {
+void considerObject(INOUT(SurfacePoint) best, const int k, const Segment segment, const int kinds) {
     ObjectData object = objectOf(k, kinds);
     Ray ray = segmentRay(segment, k, object);
     int level = segmentLevel(segment, k, object, ray);
@@ -253,9 +253,9 @@ void considerObject(inout SurfacePoint best, const int k, const Segment segment,
     best.exhausted = best.exhausted || hit.exhausted;
     best.doubtful = best.doubtful || hit.doubtful;
     if (kObjectCount == 1) best.clear = hit.clear;
-    vec3 from_first = fromCentre(object, hit.p) + object.from_first.xyz;
+    vec3 from_first = fromCentre(object, hit.p) + XYZ(object.from_first);
     vec3 towards = towardsHit(segment, k, object, hit.p, from_first);
-    float t = hit.inside ? 0.0 : length(towards);
+    real t = hit.inside ? real(0) : length(towards);
     if (hit.hit && (kObjectCount == 1 || isNearer(best, t, towards, from_first))) {
         best.hit = true;
         best.inside = hit.inside;
@@ -274,8 +274,8 @@ void considerObject(inout SurfacePoint best, const int k, const Segment segment,
 #endif
         best.object_position = hit.p;
         best.start = hit.p + startOffset(object) * hit.n;
-        best.albedo = object.albedo.rgb;
-        best.h = object.ramp_offset + object.ramp_scale * hit.stored;
+        best.albedo = XYZ(object.albedo);
+        best.h = real(object.ramp_offset) + real(object.ramp_scale) * hit.stored;
         best.ramp = object.ramp;
         best.residual = abs(hit.residual);
     }
@@ -332,7 +332,7 @@ vec3 pointImageColour(const SurfacePoint point) {
 vec3 checkerColour(const SurfacePoint point) {
     MaterialData material = materials[point.object];
     vec2 cell = floor(pointUv(point) * vec2(material.u_scale, material.v_scale));
-    return mod(cell.x + cell.y, 2.0) < 0.5 ? point.albedo : material.odd.rgb;
+    return mod(cell.x + cell.y, real(2)) < real(0.5) ? point.albedo : XYZ(material.odd);
 }
 #endif
 
@@ -345,20 +345,20 @@ vec3 albedoOf(const SurfacePoint point) {
     if (kCheckerboards != 0 && materials[point.object].checkerboard != 0) return checkerColour(point);
 #endif
     if (point.ramp < 0) return point.albedo;
-    float place = clamp(point.h, 0.0, 1.0) * float(RAMP_POINTS - 1);
+    real place = clamp(point.h, real(0), real(1)) * real(RAMP_POINTS - 1);
     int k = min(int(place), RAMP_POINTS - 2);
     int first = point.ramp * RAMP_POINTS + k;
-    vec3 colour = mix(ramp_points[first].rgb, ramp_points[first + 1].rgb, place - float(k));
-    return min(colour * objectOf(point.object, ~0).texture_scale.rgb, vec3(1.0));
+    vec3 colour = mix(XYZ(ramp_points[first]), XYZ(ramp_points[first + 1]), place - real(k));
+    return min(colour * XYZ(objectOf(point.object, ~0).texture_scale), vec3(real(1)));
 }
 
 // Whether object k is between P' and a light: at `place`, seen from object 0's centre, if the ray `ends` there; in the
 // direction `place` if it goes on for ever.
 bool shades(const int k, const SurfacePoint point, const vec3 place, const bool ends, const int kinds,
-            inout Searches searches) {
+            INOUT(Searches) searches) {
     ObjectData object = objectOf(k, kinds);
     vec3 start = startFor(k, object, point.object, point.start);
-    vec3 offset = ends ? objectFromWorldVector(object, place - object.from_first.xyz) - start
+    vec3 offset = ends ? objectFromWorldVector(object, place - XYZ(object.from_first)) - start
                        : objectFromWorldVector(object, place);
     // P' stands on the level that the camera's ray met; other objects throw the shadows of their maps.
     MapData map = mapOf(k, kinds, k == point.object ? point.level : 0);
@@ -366,7 +366,7 @@ bool shades(const int k, const SurfacePoint point, const vec3 place, const bool 
 }
 
 // Whether any object is, but `except`: -1, or a plain one that shines itself.
-bool isShaded(const SurfacePoint point, const vec3 place, const bool ends, const int except, inout Searches searches) {
+bool isShaded(const SurfacePoint point, const vec3 place, const bool ends, const int except, INOUT(Searches) searches) {
     if (kObjectCount == 1) return shades(0, point, place, ends, ~0, searches) && except != 0;
     bool shaded = false;
     if (kOnlyPlain >= 0)
@@ -388,8 +388,8 @@ bool isShaded(const SurfacePoint point, const vec3 place, const bool ends, const
 #ifdef WITH_CURVED
 // A facet that turns away from the light is dark however its shading normal stands: fades to that instead of breaking off
 // (Chiang, Li and Burley 2019, "Taming the shadow terminator"). 1 where both normals are one.
-float terminatorShare(const float cosine, const float shading_cosine, const float between) {
-    float share = clamp(cosine / max(shading_cosine * between, 1e-6), 0.0, 1.0);
-    return share * (1.0 + share * (1.0 - share));
+real terminatorShare(const real cosine, const real shading_cosine, const real between) {
+    real share = clamp(cosine / max(shading_cosine * between, real(1e-6)), real(0), real(1));
+    return share * (real(1) + share * (real(1) - share));
 }
 #endif

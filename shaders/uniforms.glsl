@@ -8,13 +8,10 @@ const int kMainObject = kObjectCount == 1 || kOnlyDisplaced < 0 ? 0 : kOnlyDispl
 const int kPlainObject = kOnlyPlain < 0 ? 0 : kOnlyPlain;
 
 #ifdef WITH_RAYS
-#define Pushed QueryParams
+QueryParams params;
 #else
-#define Pushed RenderParams
+RenderParams params;
 #endif
-layout(push_constant) uniform Params { Pushed pushed; };
-
-Pushed params;
 ObjectData first_object;  // whose centre stands for the world's origin
 ObjectData main_object;   // the scene's only object, or the only displaced one
 MapData main_map;         // its, finest level

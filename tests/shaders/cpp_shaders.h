@@ -1,6 +1,6 @@
 #pragma once
 
-// The shaders' pure functions compiled as C++, once with real = float and once with real = double. A failure is then
+// The marcher's functions compiled as C++, once with real = float and once with real = double. A failure is then
 // told apart: reference against glsl64 (the algorithm), glsl64 against glsl32 (precision), glsl32 against the device.
 // A program that defines WITH_CURVED has the variants for splines and ripples, like the shaders.
 

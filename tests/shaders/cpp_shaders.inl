@@ -1,6 +1,7 @@
 // Included once for each GLSL_REAL: see cpp_shaders.h.
 
 #define INOUT(T) T&
+#define FORWARD(declaration) declaration;
 #define precise
 
 // Each test file has its own copy of the functions, and need not call them all.
@@ -76,4 +77,5 @@ constexpr int kOnlyDisplaced = -1, kOnlyPlain = -1;
 #pragma GCC diagnostic pop
 
 #undef INOUT
+#undef FORWARD
 #undef precise

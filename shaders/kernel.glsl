@@ -1,0 +1,200 @@
+// Pixels of one tile, or of the list of pixels to retry: their rays, the nearest hits, the film's planes. Expects what
+// render.comp declares: the film, the list and the parameters that are pushed.
+
+const uint kColourPlanes = 7u << PLANE_R;
+const bool kWantsColour = (kPlanes & kColourPlanes) != 0u;
+const bool kWantsLight = (kPlanes & (kColourPlanes | 7u << PLANE_ALBEDO_R | 1u << PLANE_LIT)) != 0u;
+
+#include "uniforms.glsl"
+#include "sample.glsl"
+#include "shade.glsl"
+#ifdef WITH_PATHS
+#include "basis.glsl"
+#include "microfacet.glsl"
+#include "material.glsl"
+#include "light.glsl"
+#include "path.glsl"
+#else
+#include "lambert.glsl"
+#endif
+#include "retry.glsl"
+
+bool wants(const int plane) {
+    return (kPlanes & (1u << plane)) != 0u;
+}
+
+// Layers hold the planes of the mask in order. Images keep bits as they are, so floats travel as bits.
+void put(const ivec2 pixel, const int plane, const uint bits) {
+    if (wants(plane)) imageStore(film, ivec3(pixel, bitCount(kPlanes & ((1u << plane) - 1u))), uvec4(bits));
+}
+
+void put(const ivec2 pixel, const int plane, const real value) {
+    put(pixel, plane, floatBitsToUint(value));
+}
+
+void put(const ivec2 pixel, const int plane, const vec3 value) {
+    put(pixel, plane, value.x);
+    put(pixel, plane + 1, value.y);
+    put(pixel, plane + 2, value.z);
+}
+
+// What the samples before have added up to; films that accumulate hold R, G and B, and perhaps A.
+real storedSum(const ivec2 pixel, const int plane) {
+    return uintBitsToFloat(imageLoad(film, ivec3(pixel, plane)).x);
+}
+
+vec3 storedColour(const ivec2 pixel) {
+    return vec3(storedSum(pixel, PLANE_R), storedSum(pixel, PLANE_G), storedSum(pixel, PLANE_B));
+}
+
+void putAlpha(const ivec2 pixel, const real alpha, const int sample_index) {
+    if (!wants(PLANE_A)) return;
+    put(pixel, PLANE_A, sample_index > 0 ? storedSum(pixel, PLANE_A) + alpha : alpha);
+}
+
+void putGeometry(const ivec2 pixel, const SurfacePoint point) {
+    vec3 nothing = vec3(real(0));
+    vec3 p = point.hit ? point.object_position : nothing;
+    put(pixel, PLANE_T, point.hit ? point.t : uintBitsToFloat(0x7f800000u));
+    put(pixel, PLANE_PX, point.hit ? point.position : nothing);
+    put(pixel, PLANE_NX, point.hit ? point.normal : nothing);
+    put(pixel, PLANE_NSX, point.hit ? shadingNormal(point) : nothing);
+    if (wants(PLANE_U) || wants(PLANE_V)) {
+        vec2 uv = point.hit ? pointUv(point) : vec2(real(0));
+        put(pixel, PLANE_U, uv.x);
+        put(pixel, PLANE_V, uv.y);
+    }
+    put(pixel, PLANE_ID, uint(point.object + 1));
+    put(pixel, PLANE_STEPS, point.hit ? uint(point.steps) : 0u);
+    put(pixel, PLANE_RESIDUAL, point.hit ? point.residual : real(0));
+    put(pixel, PLANE_OBJECT_PX, p);
+    put(pixel, PLANE_START_X, point.hit ? point.start : nothing);
+    put(pixel, PLANE_FLAGS, (point.inside ? 1u : 0u) | (point.exhausted ? 2u : 0u));
+}
+
+// A pixel of the film that an invocation is to do, if it `exists`.
+struct Task {
+    ivec2 pixel;
+    real clear;  // RetryPixel::clear
+    bool exists;
+};
+
+// How many an invocation has.
+#if defined(WITH_PATHS) && MARCH_WITH != MARCH_FULL
+const int kTasks = kTurns;
+#else
+const int kTasks = 1;
+#endif
+
+#if MARCH_WITH == MARCH_FULL
+Task findTask(const int n) {
+    Task task;
+    RetryPixel found = findRetry(task.exists);
+    task.pixel = ivec2(found.pixel & 0xffffu, found.pixel >> 16);
+    task.clear = found.clear;
+    return task;
+}
+#else
+// An invocation's n-th. A group's lie side by side, and eight lanes in a row have 4 x 2 pixels: their rays differ less
+// than those of 8 x 1.
+Task findTask(const int n) {
+    ivec2 lane = ivec2(XY(gl_LocalInvocationID));
+    ivec2 within = ivec2((lane.x & 3) | (lane.y & 1) << 2, (lane.y & 6) | lane.x >> 2);
+    ivec2 block = ivec2(int(gl_WorkGroupID.x) * kTasks + n, int(gl_WorkGroupID.y));
+    Task task;
+    task.pixel = ivec2(params.tile_x, params.tile_y) + block * ivec2(GROUP_SIZE_X, GROUP_SIZE_Y) + within;
+    task.clear = -kInfinity;
+    task.exists = all(lessThan(task.pixel, ivec2(params.tile_x1, params.tile_y1)));
+    return task;
+}
+#endif
+
+void leaveForRetry(const ivec2 pixel, const real clear) {
+    leaveForRetry(uint(pixel.x) | uint(pixel.y) << 16, clear);
+}
+
+// Film planes of a pixel whose ray, or another that it needs, is in doubt are left to the other precision.
+void finish(const Task task, const Gathered gathered, const int sample_index) {
+    if (gathered.searches.doubtful) {
+        leaveForRetry(task.pixel, gathered.point.clear);
+        return;
+    }
+    putGeometry(task.pixel, gathered.point);
+    putAlpha(task.pixel, gathered.point.hit ? gathered.weight : real(0), sample_index);
+    put(task.pixel, PLANE_ALBEDO_R, gathered.albedo);
+    put(task.pixel, PLANE_LIT, gathered.lit);
+    if (kWantsColour)
+        put(task.pixel, PLANE_R, sample_index > 0 ? storedColour(task.pixel) + gathered.colour : gathered.colour);
+}
+
+// Chosen by pixel, although it is the same for all: see uniforms.glsl.
+int sampleOf(const Task task) {
+    return task.pixel.x >= 0 ? params.sample_index : 0;
+}
+
+ivec2 rasterOf(const Task task) {
+    return task.pixel + ivec2(params.film_x, params.film_y);
+}
+
+#ifdef WITH_PATHS
+Rules rulesOf(const int sample_index) {
+    Rules rules;
+    rules.centre = sample_index < 0;
+    rules.shadowed = kShadows != 0;
+    rules.weighed = !rules.centre && kDiffusePaths != 0;
+    return rules;
+}
+
+Path pathOf(const Task task, const int sample_index) {
+    ivec2 raster = rasterOf(task);
+    Numbers numbers;
+    numbers.key = pixelKey(raster.x, raster.y, params.seed);
+    numbers.index = max(sample_index, 0);
+    vec2 jitter = sample_index < 0 ? vec2(real(0)) : filterPlace(numbersAt(numbers, 0, 0u));
+    return startPath(cameraSegment(vec2(raster), jitter, task.clear), numbers, task.exists);
+}
+
+// All invocations of a SIMD group pay for the longest of their paths. So each takes its next pixel as soon as a path
+// ends, and they come out even. What an invocation that has had long searches has not begun goes to the retry: the group's
+// loops together have a limit of turns, see layout.h.
+void main() {
+    readUniforms();
+    Task task = findTask(0);
+    const int sample_index = sampleOf(task);
+    Rules rules = rulesOf(sample_index);
+    Path path = pathOf(task, sample_index);
+    int steps = 0;
+    int turn = 0;
+    for (int n = 0; n < kTasks * (kMaxDepth + 1); ++n) {
+        if (path.going) {
+            extendPath(path, rules);
+            if (!path.going) {
+                steps += path.result.searches.steps;
+                finish(task, resultOf(path, rules), sample_index);
+            }
+        }
+        if (!path.going) ++turn;
+        if (kTasks > 1 && !path.going && turn < kTasks) {
+            task = findTask(turn);
+            path = pathOf(task, sample_index);
+            if (path.going && steps > TURN_STEPS) {
+                leaveForRetry(task.pixel, task.clear);
+                path.going = false;
+            }
+        }
+        if (turn == kTasks) break;
+    }
+}
+#else
+void main() {
+    readUniforms();
+    Task task = findTask(0);
+    if (!task.exists) return;
+    const int sample_index = sampleOf(task);
+    ivec2 raster = rasterOf(task);
+    vec2 jitter = vec2(real(0));
+    if (kWantsColour && sample_index >= 0) jitter = samplePosition(raster.x, raster.y, sample_index, params.seed);
+    Gathered result = gatherDirect(cameraSegment(vec2(raster), jitter, task.clear));
+    finish(task, result, sample_index);
+}
+#endif
