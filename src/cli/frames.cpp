@@ -20,10 +20,6 @@ double elapsedSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-[[noreturn]] void refuseFrames(const std::string& message) {
-    throw Error(ExitCode::Usage, message);
-}
-
 }  // namespace
 
 void addFrameOptions(CLI::App& command, FrameOptions& options) {
@@ -44,10 +40,9 @@ void addFrameOptions(CLI::App& command, FrameOptions& options) {
 
 FrameName::FrameName(const std::string& pattern) {
     const auto fail = [&pattern](const char* what) {
-        refuseFrames(
-            fmt::format("--frames: the outfile {} {}; expected one %d, or %04d for four digits, in the file's "
-                        "name: frame-%04d.png",
-                        pattern, what));
+        throwUsage(
+            "--frames: the outfile {} {}; expected one %d, or %04d for four digits, in the file's name: frame-%04d.png",
+            pattern, what);
     };
     const std::size_t percent = pattern.find('%');
     if (percent == std::string::npos) fail("has no place for the frame's number");
@@ -84,17 +79,17 @@ FrameRange FrameRange::parse(const std::string& text) {
     if (good && takeMark('-')) good = takeNumber(range.last);
     if (good && takeMark(':')) good = takeNumber(range.step);
     if (!good || at != end || range.step < 1)
-        refuseFrames(fmt::format("--frames: {:?} is not A-B or A-B:STEP with numbers from 0 to {}", text, kMostFrames));
-    if (range.last < range.first) refuseFrames(fmt::format("--frames: {} comes before {}", range.last, range.first));
+        throwUsage("--frames: {:?} is not A-B or A-B:STEP with numbers from 0 to {}", text, kMostFrames);
+    if (range.last < range.first) throwUsage("--frames: {} comes before {}", range.last, range.first);
     return range;
 }
 
 FramePlan::FramePlan(const FrameOptions& options, const std::string& outfile)
     : name(outfile), turntable(options.turntable), skip_existing(options.skip_existing) {
     if (turntable < 0 || turntable > kMostFrames)
-        refuseFrames(fmt::format("--turntable: {} is outside 1 to {}", turntable, kMostFrames));
-    if (turntable > 0 && !options.path.empty()) refuseFrames("--turntable and --path exclude each other");
-    if (options.frames.empty() && turntable == 0) refuseFrames("--path needs --frames A-B");
+        throwUsage("--turntable: {} is outside 1 to {}", turntable, kMostFrames);
+    if (turntable > 0 && !options.path.empty()) throwUsage("--turntable and --path exclude each other");
+    if (options.frames.empty() && turntable == 0) throwUsage("--path needs --frames A-B");
     range = options.frames.empty() ? FrameRange{0, turntable - 1} : FrameRange::parse(options.frames);
     if (!options.path.empty()) motion = Motion::read(options.path);
 }

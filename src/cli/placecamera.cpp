@@ -11,20 +11,16 @@ namespace dsphere::cli {
 
 namespace {
 
-[[noreturn]] void throwPlacement(const std::string& message) {
-    throw Error(ExitCode::Usage, message);
-}
-
 void requireRanges(const SceneOptions& options) {
     if (options.latlon.empty()) {
-        if (options.heading || options.pitch) throwPlacement("--heading and --pitch go with --lookat-latlon");
+        if (options.heading || options.pitch) throwUsage("--heading and --pitch go with --lookat-latlon");
         return;
     }
     if (!(std::abs(options.latlon[0]) <= 90.0 && std::isfinite(options.latlon[1]) && options.latlon[2] > 0.0 &&
           std::isfinite(options.latlon[2])))
-        throwPlacement("--lookat-latlon: expected a latitude in [-90, 90], a longitude and an altitude > 0");
-    if (options.heading && !std::isfinite(*options.heading)) throwPlacement("--heading: expected a number of degrees");
-    if (options.pitch && !(std::abs(*options.pitch) <= 90.0)) throwPlacement("--pitch: expected degrees in [-90, 90]");
+        throwUsage("--lookat-latlon: expected a latitude in [-90, 90], a longitude and an altitude > 0");
+    if (options.heading && !std::isfinite(*options.heading)) throwUsage("--heading: expected a number of degrees");
+    if (options.pitch && !(std::abs(*options.pitch) <= 90.0)) throwUsage("--pitch: expected degrees in [-90, 90]");
 }
 
 }  // namespace
@@ -33,7 +29,7 @@ void placeCamera(Scene& scene, const SceneMaps& maps, const SceneOptions& option
     requireRanges(options);
     if (options.latlon.empty()) return;
     const int globe = firstDisplacedSphere(scene);
-    if (globe < 0) throwPlacement("--lookat-latlon: the scene has no displacedsphere");
+    if (globe < 0) throwUsage("--lookat-latlon: the scene has no displacedsphere");
     const std::size_t k = std::size_t(globe);
     const double latitude = options.latlon[0], longitude = options.latlon[1];
     const Heightmap& map = *maps.maps[std::size_t(maps.map_of_shape[k])];

@@ -1,5 +1,6 @@
 #include "scene/textfile.h"
 
+#include "base/descriptor.h"
 #include "base/error.h"
 #include "base/limits.h"
 
@@ -12,22 +13,6 @@
 namespace dsphere {
 
 namespace {
-
-/// A file's descriptor, closed at the end of its life.
-class Descriptor {
-  public:
-    explicit Descriptor(const std::filesystem::path& path) : number_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
-    ~Descriptor() {
-        if (number_ >= 0) close(number_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    int number() const { return number_; }
-
-  private:
-    int number_;
-};
 
 template <typename... Args>
 [[noreturn]] void fail(fmt::format_string<Args...> format, Args&&... args) {
@@ -73,7 +58,7 @@ std::string readText(const std::filesystem::path& path, std::size_t most) {
     const bool regular = std::filesystem::is_regular_file(status) || isOpenDescriptor(path);
     if (std::filesystem::exists(status) && !regular)
         fail("{} is {}; supported: regular files, and - for standard input", path.string(), kindOf(status));
-    Descriptor file(path);
+    const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (file.number() < 0) fail("cannot open {}: {}", path.string(), lastSystemError());
     return readAll(file.number(), path.string(), most);
 }
