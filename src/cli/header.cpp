@@ -1,5 +1,6 @@
 #include "cli/header.h"
 
+#include "base/hash.h"
 #include "render/raster.h"
 #include "surface/fingerprint.h"
 
