@@ -29,7 +29,8 @@ namespace dsphere::geo {
 
 #define DSPHERE_GDAL_FUNCTIONS(use) \
     use(GDALOpenEx) use(GDALClose) use(GDALGetDriverByName) use(GDALCreateCopy) use(GDALBuildOverviews) \
-    use(GDALSetCacheMax64) use(GDALGetRasterXSize) use(GDALGetRasterYSize) use(GDALGetRasterCount) \
+    use(GDALSetCacheMax64) use(GDALGetFileList) use(GDALGetRasterXSize) use(GDALGetRasterYSize) \
+    use(GDALGetRasterCount) use(GDALGetBlockSize) \
     use(GDALGetRasterBand) use(GDALGetMetadata) use(GDALGetMetadataItem) use(GDALGetGeoTransform) \
     use(GDALGetGCPCount) use(GDALGetSpatialRef) use(GDALGetRasterDataType) use(GDALGetDataTypeName) \
     use(GDALGetDataTypeSizeBits) use(GDALGetRasterNoDataValue) use(GDALGetRasterScale) use(GDALGetRasterOffset) \

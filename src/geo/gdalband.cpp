@@ -30,7 +30,6 @@ Unknown unknownOf(const OpenMap& map, GDALRasterBandH band, const SampleType& sa
     using Format = PlacedFile::Format;
     const Gdal& g = gdal();
     Unknown unknown;
-    unknown.source = map.source();
     int has = 0;
     const double value = g.GDALGetRasterNoDataValue(band, &has);
     if (map.label) {  // for which GDAL makes a value up

@@ -35,7 +35,6 @@ struct Unknown {
     std::optional<double> value;
     bool special_floats = false;     ///< USGS's and JPL's: everything below the least of them
     GDALRasterBandH mask = nullptr;  ///< of bytes, 0 where unknown
-    std::string source;
 
     bool is(double stored) const {
         constexpr double kLeastValid = -3.4028226e38;

@@ -11,10 +11,12 @@
 namespace dsphere::geo {
 namespace {
 
-Dataset openWith(PlacedFile::Format format, const std::string& name) {
+Dataset openWith(PlacedFile::Format format, const std::string& name, bool all_cores) {
     const char* older = format == PlacedFile::Format::Isis ? "ISIS2" : nullptr;
     const char* drivers[] = {driverOf(format), older, nullptr};
-    return Dataset(gdal().GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers, nullptr, nullptr));
+    Strings threads{"NUM_THREADS=ALL_CPUS"};
+    char** options = all_cores && format == PlacedFile::Format::Tiff ? threads.list() : nullptr;
+    return Dataset(gdal().GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers, options, nullptr));
 }
 
 /// GDAL reads what a VRT names, by any of its formats' own names of files; those have no word for a network but these.
@@ -62,18 +64,18 @@ const char* OpenMap::source() const {
     return f == Format::Tiff || f == Format::Jpeg2000 || f == Format::Vrt ? "tag" : "label";
 }
 
-OpenMap openMap(const PlacedFile& file) {
+OpenMap openMap(const PlacedFile& file, bool all_cores) {
     GdalMessages messages;
     if (file.format == PlacedFile::Format::Vrt) refuseNetwork(file);
     if (file.format == PlacedFile::Format::NetCdf) checkClassicNetCdf(file.path);
-    OpenMap map{file, openWith(file.format, file.path.string()), {}, file.path.string()};
+    OpenMap map{file, openWith(file.format, file.path.string(), all_cores), {}, file.path.string()};
     const auto refuse = [&] {
         throwInvalid("{}: {}: cannot be read: {}", map.name(), nameOf(file.format), messages.reason());
     };
     if (!map.dataset) refuse();
     if (map.bands() == 0) {
         map.opened = chooseGrid(map);
-        map.dataset = openWith(file.format, map.opened);
+        map.dataset = openWith(file.format, map.opened, all_cores);
     }
     if (!map.dataset || map.bands() == 0) refuse();
     if (file.format == PlacedFile::Format::Pds3) map.label.emplace(file.label);

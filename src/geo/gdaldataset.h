@@ -24,7 +24,8 @@ struct OpenMap {
 };
 
 /// Opens it for reading with the driver of its format alone; of a netCDF file with several variables the one that is
-/// named like heights, or the only grid. Throws Error (InvalidInput) with GDAL's reason.
-OpenMap openMap(const PlacedFile& file);
+/// named like heights, or the only grid. `all_cores`: large windows of TIFFs are decoded by several threads. Throws
+/// Error (InvalidInput) with GDAL's reason.
+OpenMap openMap(const PlacedFile& file, bool all_cores = false);
 
 }  // namespace dsphere::geo

@@ -1,13 +1,18 @@
 #include "base/error.h"
 #include "geo/import.h"
+#include "geo/largemap.h"
 #include "geo/readmap.h"
 
 namespace dsphere::geo {
 
-RawMap readPlacedMap(const PlacedFile& file, std::optional<int>, const std::string& reason) {
+RawMap readPlacedMap(const FileForGdal& found, std::optional<int>) {
     throwInvalid(
         "{}: {}, which is read with GDAL; this dsphere was built without it (install libgdal-dev and build it anew)",
-        file.path.string(), reason);
+        found.file.path.string(), found.reason);
+}
+
+std::shared_ptr<const LargeMap> openLargeMap(const std::filesystem::path&, std::optional<int>, std::uint64_t) {
+    return nullptr;
 }
 
 ImportResult importMaps(const ImportOptions& options) {

@@ -9,18 +9,6 @@
 namespace dsphere::geo {
 namespace {
 
-/// The name of a world file beside a map, .tfw or .tifw or .wld of a .tif; empty: there is none.
-std::string worldFileOf(const std::filesystem::path& path) {
-    const std::string own = path.extension().string();
-    std::vector<std::string> extensions{own + "w", ".wld"};
-    if (own.size() > 3) extensions.push_back({'.', own[1], own.back(), 'w'});
-    for (const std::string& extension : extensions) {
-        std::filesystem::path beside = path;
-        if (std::filesystem::exists(beside.replace_extension(extension))) return beside.filename().string();
-    }
-    return "";
-}
-
 /// Why a TIFF is read with GDAL; empty: it is not.
 std::string whyPlaced(InputFile& file, const std::filesystem::path& path, bool band) {
     std::string reason = whatPlainTiffLacks(file);
@@ -33,15 +21,31 @@ std::string whyPlaced(InputFile& file, const std::filesystem::path& path, bool b
 
 }  // namespace
 
-RawMap readMap(const std::filesystem::path& path, std::optional<int> band) {
-    if (const std::optional<PlacedFile> placed = placedFile(path))
-        return readPlacedMap(*placed, band, fmt::format("it is in the format {}", nameOf(placed->format)));
-    InputFile file(path);
-    if (formatOf(file) == MapFormat::Tiff) {
-        const std::string reason = whyPlaced(file, path, band.has_value());
-        if (!reason.empty()) return readPlacedMap({PlacedFile::Format::Tiff, path, {}}, band, reason);
+std::string worldFileOf(const std::filesystem::path& path) {
+    const std::string own = path.extension().string();
+    std::vector<std::string> extensions{own + "w", ".wld"};
+    if (own.size() > 3) extensions.push_back({'.', own[1], own.back(), 'w'});
+    for (const std::string& extension : extensions) {
+        std::filesystem::path beside = path;
+        if (std::filesystem::exists(beside.replace_extension(extension))) return beside.filename().string();
     }
-    if (band.value_or(1) != 1) file.invalid("band {} is asked for, which files of this format do not have", *band);
+    return "";
+}
+
+std::optional<FileForGdal> fileForGdal(const std::filesystem::path& path, std::optional<int> band) {
+    if (const std::optional<PlacedFile> placed = placedFile(path))
+        return FileForGdal{*placed, fmt::format("it is in the format {}", nameOf(placed->format))};
+    InputFile file(path);
+    if (formatOf(file) != MapFormat::Tiff) return {};
+    const std::string reason = whyPlaced(file, path, band.has_value());
+    if (reason.empty()) return {};
+    return FileForGdal{{PlacedFile::Format::Tiff, path, {}}, reason};
+}
+
+RawMap readMap(const std::filesystem::path& path, std::optional<int> band) {
+    if (const std::optional<FileForGdal> found = fileForGdal(path, band)) return readPlacedMap(*found, band);
+    if (band.value_or(1) != 1)
+        InputFile(path).invalid("band {} is asked for, which files of this format do not have", *band);
     RawMap map = readRawMap(path);
     const std::string world = worldFileOf(path);
     if (!world.empty())

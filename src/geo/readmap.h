@@ -15,7 +15,19 @@ namespace dsphere::geo {
 /// projection (the message names `dsphere import`), and without GDAL for every map that needs it.
 RawMap readMap(const std::filesystem::path& path, std::optional<int> band = {});
 
-/// readMap's part that needs GDAL. `reason` is why: "its tag 33922 says where it lies on the planet".
-RawMap readPlacedMap(const PlacedFile& file, std::optional<int> band, const std::string& reason);
+/// A file that is read with GDAL, and why: "its tag 33922 says where it lies on the planet".
+struct FileForGdal {
+    PlacedFile file;
+    std::string reason;
+};
+
+/// Unset: readRawMap reads it. Throws Error (InvalidInput) when the file cannot be read.
+std::optional<FileForGdal> fileForGdal(const std::filesystem::path& path, std::optional<int> band);
+
+/// The name of a world file beside a map, .tfw or .tifw or .wld of a .tif; empty: there is none.
+std::string worldFileOf(const std::filesystem::path& path);
+
+/// readMap's part that needs GDAL.
+RawMap readPlacedMap(const FileForGdal& found, std::optional<int> band);
 
 }  // namespace dsphere::geo

@@ -129,17 +129,34 @@ std::uint64_t firstValue(InputFile& file, const Directory& directory, std::uint6
     return entry && entry->count > 0 ? valuesOf(file, directory.format, *entry)[0] : otherwise;
 }
 
+/// Where the page's strips or tiles lie in the file.
+struct Blocks {
+    const char* name = "strip";
+    std::vector<std::uint64_t> offsets, bytes;  ///< as many of both; both 0: such a block was never written
+};
+
+Blocks blocksOf(InputFile& file, const Directory& directory) {
+    struct Tags {
+        const char* name;
+        std::uint64_t offsets, bytes;
+    };
+    for (const Tags& tags : {Tags{"strip", 273, 279}, Tags{"tile", 324, 325}}) {
+        const Entry *offsets = directory.find(tags.offsets), *bytes = directory.find(tags.bytes);
+        if (!offsets || !bytes) continue;
+        Blocks blocks{tags.name, valuesOf(file, directory.format, *offsets), valuesOf(file, directory.format, *bytes)};
+        const std::size_t count = std::min(blocks.offsets.size(), blocks.bytes.size());
+        blocks.offsets.resize(count);
+        blocks.bytes.resize(count);
+        return blocks;
+    }
+    return {};
+}
+
 /// Whether a strip or tile was never written: GDAL's "sparse" files, where such a block counts as nodata.
 bool isSparse(InputFile& file, const Directory& directory) {
-    for (const auto& [offset_tag, count_tag] : {std::pair{273, 279}, std::pair{324, 325}}) {
-        const Entry *offset_entry = directory.find(std::uint64_t(offset_tag)),
-                    *count_entry = directory.find(std::uint64_t(count_tag));
-        if (!offset_entry || !count_entry) continue;
-        const auto offsets = valuesOf(file, directory.format, *offset_entry);
-        const auto counts = valuesOf(file, directory.format, *count_entry);
-        for (std::size_t k = 0; k < std::min(offsets.size(), counts.size()); ++k)
-            if (offsets[k] == 0 && counts[k] == 0) return true;
-    }
+    const Blocks blocks = blocksOf(file, directory);
+    for (std::size_t k = 0; k < blocks.offsets.size(); ++k)
+        if (blocks.offsets[k] == 0 && blocks.bytes[k] == 0) return true;
     return false;
 }
 
@@ -191,6 +208,26 @@ std::string whatPlainTiffLacks(InputFile& file) {
     if (isSparse(file, directory)) return "some of its strips or tiles were never written";
     if (hasMask(file, directory)) return "a page of it is a mask";
     return "";
+}
+
+TiffPage tiffPageOf(InputFile& file) {
+    const Directory directory = readDirectory(file);
+    const auto value = [&](std::uint64_t tag, std::uint64_t otherwise) {
+        return firstValue(file, directory, tag, otherwise);
+    };
+    constexpr std::uint64_t kBlackIsZero = 1, kTopLeft = 1;
+    TiffPage page{value(256, 0), value(257, 0), false};
+    page.plain_grey =
+        value(277, 1) == 1 && value(262, kBlackIsZero) <= kBlackIsZero && value(274, kTopLeft) == kTopLeft;
+    return page;
+}
+
+void checkTiffBlocks(InputFile& file) {
+    const Blocks blocks = blocksOf(file, readDirectory(file));
+    for (std::size_t k = 0; k < blocks.offsets.size(); ++k)
+        if (blocks.offsets[k] > file.size() || blocks.bytes[k] > file.size() - blocks.offsets[k])
+            file.invalid("TIFF: truncated or damaged: {} {} has {} bytes at byte {}, the file has {} bytes",
+                         blocks.name, k, blocks.bytes[k], blocks.offsets[k], file.size());
 }
 
 }  // namespace dsphere

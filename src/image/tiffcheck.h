@@ -16,4 +16,16 @@ void checkTiffDirectory(InputFile& file);
 /// checkTiffDirectory does.
 std::string whatPlainTiffLacks(InputFile& file);
 
+/// What the first directory says of its page.
+struct TiffPage {
+    std::uint64_t width = 0, height = 0;  ///< 0: it does not say
+    bool plain_grey = false;              ///< one grey sample a texel, the first row on top
+};
+
+/// Throws as checkTiffDirectory does.
+TiffPage tiffPageOf(InputFile& file);
+
+/// Throws unless each strip or tile that was ever written lies within the file.
+void checkTiffBlocks(InputFile& file);
+
 }  // namespace dsphere

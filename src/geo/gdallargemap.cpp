@@ -1,0 +1,341 @@
+#include "geo/largemap.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <condition_variable>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <mutex>
+#include <span>
+#include <thread>
+#include <utility>
+
+#include "geo/fileidentity.h"
+#include "geo/gdalhead.h"
+#include "image/codecs.h"
+#include "image/tiffcheck.h"
+
+namespace dsphere::geo {
+namespace {
+
+/// A rectangle of the file's texels.
+struct Window {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// One of GDAL's handles of the file, which serves one thread at a time.
+struct Handle {
+    OpenMap file;
+    GDALRasterBandH band = nullptr, mask = nullptr;
+
+    void fetch(GDALRasterBandH from, const Window& w, void* to, GDALDataType type, std::size_t bytes_per_row) const {
+        GdalMessages messages;
+        if (gdal().GDALRasterIO(from, GF_Read, w.x, w.y, w.width, w.height, to, w.width, w.height, type, 0,
+                                int(bytes_per_row)) != CE_None)
+            throwInvalid("{}: {}: rows {} to {} of columns {} to {} cannot be read: {}", file.name(),
+                         nameOf(file.file.format), w.y, w.y + w.height - 1, w.x, w.x + w.width - 1, messages.reason());
+    }
+};
+
+/// As many handles as threads read at once, but at most one more than there are cores.
+class Handles {
+  public:
+    using Open = std::function<std::unique_ptr<Handle>()>;
+
+    Handles(std::unique_ptr<Handle> first, Open open) : open_(std::move(open)) { idle_.push_back(std::move(first)); }
+
+    /// Calls use(handle).
+    template <typename Use>
+    void with(Use use) {
+        std::unique_ptr<Handle> handle = take();
+        try {
+            use(*handle);
+        } catch (...) {
+            giveBack(std::move(handle));
+            throw;
+        }
+        giveBack(std::move(handle));
+    }
+
+  private:
+    std::unique_ptr<Handle> take() {
+        std::unique_lock lock(mutex_);
+        returned_.wait(lock, [&] { return !idle_.empty() || count_ < most_; });
+        if (!idle_.empty()) {
+            std::unique_ptr<Handle> handle = std::move(idle_.back());
+            idle_.pop_back();
+            return handle;
+        }
+        ++count_;
+        lock.unlock();
+        try {
+            return open_();
+        } catch (...) {
+            lock.lock();
+            --count_;
+            returned_.notify_one();
+            throw;
+        }
+    }
+    void giveBack(std::unique_ptr<Handle> handle) {
+        const std::lock_guard lock(mutex_);
+        idle_.push_back(std::move(handle));
+        returned_.notify_one();
+    }
+
+    Open open_;
+    std::mutex mutex_;
+    std::condition_variable returned_;
+    std::vector<std::unique_ptr<Handle>> idle_;
+    unsigned count_ = 1;
+    const unsigned most_ = std::max(1u, std::thread::hardware_concurrency()) + 1;
+};
+
+/// How the samples of a map are handed out.
+struct Coding {
+    SampleKind kind = SampleKind::Float32;
+    std::optional<int> unknown_code = {};
+};
+
+/// Integers of at most 16 bits stay such where a code can say "unknown": the nodata value, or one that they never take.
+Coding codingOf(const MapHead& head, bool has_rows_beyond) {
+    const SampleType& sample = head.sample;
+    if (sample.is_float || sample.bits > 16) return {};
+    const SampleKind kind = sample.is_signed ? SampleKind::Int16 : SampleKind::UInt16;
+    const double greatest = sample.fullScale(), least = sample.is_signed ? -greatest - 1.0 : 0.0;
+    const std::optional<double>& nodata = head.unknown.value;
+    if (nodata && *nodata >= least && *nodata <= greatest && *nodata == std::floor(*nodata))
+        return {kind, int(*nodata)};
+    if (!head.unknown.mask && !has_rows_beyond) return {kind};
+    if (sample.bits == 16) return {};
+    return {kind, sample.is_signed ? -32768 : 65535};
+}
+
+/// Calls visit(piece) for pieces of a window that end where blocks of the file do, in the file's order. Each is a block
+/// or few enough of them that GDAL's cache keeps all that are read at once: it would read a row of blocks anew for each
+/// row of texels otherwise.
+template <typename Visit>
+void forPieces(const Window& window, std::int64_t block_width, std::int64_t block_height, Visit visit) {
+    constexpr std::int64_t kMostTexels = 1 << 20;
+    const std::int64_t blocks_down = (window.height + block_height - 1) / block_height + 1;
+    const std::int64_t height =
+        block_height * std::clamp<std::int64_t>(kMostTexels / (block_width * block_height), 1, blocks_down);
+    const std::int64_t width = block_width * std::max<std::int64_t>(kMostTexels / (block_width * height), 1);
+    const std::int64_t right = window.x + window.width, bottom = window.y + window.height;
+    for (std::int64_t y = window.y, next_y; y < bottom; y = next_y) {
+        next_y = std::min((y / height + 1) * height, bottom);
+        for (std::int64_t x = window.x, next_x; x < right; x = next_x) {
+            next_x = std::min((x / width + 1) * width, right);
+            visit(Window{int(x), int(y), int(next_x - x), int(next_y - y)});
+        }
+    }
+}
+
+template <typename Sample>
+void mirrorRows(Sample* samples, int width, int height) {
+    for (int j = 0; j < height; ++j, samples += width) std::reverse(samples, samples + width);
+}
+
+template <typename Sample>
+void flipRows(Sample* samples, int width, int height) {
+    for (int j = 0; j < height / 2; ++j)
+        std::swap_ranges(samples + std::ptrdiff_t(j) * width, samples + std::ptrdiff_t(j + 1) * width,
+                         samples + std::ptrdiff_t(height - 1 - j) * width);
+}
+
+class GdalLargeMap : public LargeMap {
+  public:
+    GdalLargeMap(std::unique_ptr<Handle> first, MapHead head)
+        : file_(first->file.file),
+          file_width_(first->file.width()),
+          file_height_(first->file.height()),
+          head_(std::move(head)),
+          coding_(codingOf(head_, head_.placed.rows > file_height_)),
+          files_(filesOf(first->file)),
+          handles_(std::move(first), [this] { return reopen(); }) {
+        handles_.with([&](const Handle& handle) {
+            gdal().GDALGetBlockSize(handle.band, &block_width_, &block_height_);
+            float last = 0.0f;  // texel of the file, which is there when the file is whole
+            handle.fetch(handle.band, {file_width_ - 1, file_height_ - 1, 1, 1}, &last, GDT_Float32, 0);
+        });
+    }
+
+    const RawMap& head() const override { return head_.map; }
+    SampleKind kind() const override { return coding_.kind; }
+    std::optional<int> unknownCode() const override { return coding_.unknown_code; }
+    void read(int x, int y, int width, int height, void* to) const override {
+        switch (coding_.kind) {
+            case SampleKind::UInt16:
+                return readAs({x, y, width, height}, static_cast<std::uint16_t*>(to));
+            case SampleKind::Int16:
+                return readAs({x, y, width, height}, static_cast<std::int16_t*>(to));
+            case SampleKind::Float32:
+                return readAs({x, y, width, height}, static_cast<float*>(to));
+        }
+    }
+    std::string identity() const override { return identityOf(files_) + fmt::format("-{}", head_.bands[0]); }
+
+  private:
+    static std::vector<std::filesystem::path> filesOf(const OpenMap& open) {
+        const std::filesystem::path& path = open.file.path;
+        std::vector<std::filesystem::path> files{path, open.file.label, path.string() + ".aux.xml"};
+        if (const std::string world = worldFileOf(path); !world.empty()) files.push_back(path.parent_path() / world);
+        char** list = gdal().GDALGetFileList(open.dataset.get());
+        for (char** file = list; file && *file; ++file) files.emplace_back(*file);
+        gdal().CSLDestroy(list);
+        std::erase_if(files, [](const auto& file) { return !std::filesystem::is_regular_file(file); });
+        std::ranges::sort(files);
+        files.erase(std::ranges::unique(files).begin(), files.end());
+        return files;
+    }
+
+    std::unique_ptr<Handle> reopen() const {
+        auto handle = std::make_unique<Handle>(Handle{openMap(file_, true)});
+        if (handle->file.width() != file_width_ || handle->file.height() != file_height_ ||
+            handle->file.bands() < head_.bands[0])
+            throwInvalid("{}: {}: has changed since it was opened: it had {}x{} texels, now {}x{}", handle->file.name(),
+                         nameOf(file_.format), file_width_, file_height_, handle->file.width(), handle->file.height());
+        handle->band = gdal().GDALGetRasterBand(handle->file.dataset.get(), head_.bands[0]);
+        if (head_.unknown.mask) handle->mask = gdal().GDALGetMaskBand(handle->band);
+        return handle;
+    }
+
+    template <typename Sample>
+    Sample unknown() const {
+        if constexpr (std::is_floating_point_v<Sample>) return std::numeric_limits<Sample>::quiet_NaN();
+        return Sample(coding_.unknown_code.value_or(0));
+    }
+
+    template <typename Sample>
+    void readAs(const Window& window, Sample* to) const {
+        const Placement& placed = head_.placed;
+        assert(window.x >= 0 && window.y >= 0 && window.x + window.width <= placed.columns &&
+               window.y + window.height <= placed.rows);
+        const int top = std::clamp(placed.rows_above, window.y, window.y + window.height);
+        const int bottom = std::clamp(placed.rows_above + file_height_, top, window.y + window.height);
+        const std::ptrdiff_t width = window.width;
+        std::fill(to, to + (top - window.y) * width, unknown<Sample>());
+        std::fill(to + (bottom - window.y) * width, to + window.height * width, unknown<Sample>());
+        if (top == bottom || width == 0) return;
+        Window of_file{window.x, top - placed.rows_above, window.width, bottom - top};
+        if (placed.mirrored) of_file.x = placed.columns - window.x - window.width;
+        if (placed.flipped) of_file.y = file_height_ - of_file.y - of_file.height;
+        Sample* known = to + (top - window.y) * width;
+        handles_.with([&](const Handle& handle) {
+            forPieces(of_file, block_width_, block_height_, [&](const Window& piece) {
+                readPiece(handle, piece, known + (piece.y - of_file.y) * width + (piece.x - of_file.x), width);
+            });
+        });
+        if (placed.mirrored) mirrorRows(known, of_file.width, of_file.height);
+        if (placed.flipped) flipRows(known, of_file.width, of_file.height);
+    }
+
+    /// `to` has rows of `stride` samples.
+    template <typename Sample>
+    void readPiece(const Handle& handle, const Window& piece, Sample* to, std::ptrdiff_t stride) const {
+        if constexpr (std::is_floating_point_v<Sample>) {
+            readFloats(handle, piece, to, stride);
+        } else {
+            const GDALDataType type = std::is_signed_v<Sample> ? GDT_Int16 : GDT_UInt16;
+            handle.fetch(handle.band, piece, to, type, std::size_t(stride) * sizeof(Sample));
+            for (int j = 0; head_.sample.signed_bytes && j < piece.height; ++j)
+                for (Sample& s : std::span(to + j * stride, std::size_t(piece.width))) s = Sample(std::int8_t(s));
+        }
+        if (!handle.mask) return;
+        std::vector<std::uint8_t> mask(std::size_t(piece.width) * std::size_t(piece.height));
+        handle.fetch(handle.mask, piece, mask.data(), GDT_Byte, 0);
+        const std::uint8_t* known = mask.data();
+        for (int j = 0; j < piece.height; ++j)
+            for (Sample& s : std::span(to + j * stride, std::size_t(piece.width)))
+                if (*known++ == 0) s = unknown<Sample>();
+    }
+
+    /// By way of doubles, so that what a float does not hold is rounded once, and compared with nodata as it is stored.
+    void readFloats(const Handle& handle, const Window& piece, float* to, std::ptrdiff_t stride) const {
+        std::vector<double> stored(std::size_t(piece.width) * std::size_t(piece.height));
+        handle.fetch(handle.band, piece, stored.data(), GDT_Float64, 0);
+        const double* from = stored.data();
+        for (int j = 0; j < piece.height; ++j)
+            for (float& s : std::span(to + j * stride, std::size_t(piece.width))) {
+                s = head_.unknown.is(*from) ? unknown<float>() : float(*from);
+                ++from;
+            }
+    }
+
+    PlacedFile file_;
+    int file_width_, file_height_;
+    MapHead head_;
+    Coding coding_;
+    std::vector<std::filesystem::path> files_;
+    int block_width_ = 1, block_height_ = 1;
+    mutable Handles handles_;
+};
+
+constexpr int kMostSide = 131072;
+constexpr std::uint64_t kMostTexels = std::uint64_t(131072) * 65536;
+
+void checkLargeSize(const OpenMap& open, int width, int height) {
+    if (width > kMostSide || height > kMostSide || std::uint64_t(width) * std::uint64_t(height) > kMostTexels)
+        throwInvalid("{}: {}: the size is {}x{}, expected sides of at most {} and at most {} texels", open.name(),
+                     nameOf(open.file.format), width, height, kMostSide, kMostTexels);
+}
+
+/// The greatest absolute value that a sample can have; 0 where a type says nothing of it because its range is far
+/// beyond that of heights.
+double greatestOf(const SampleType& sample) {
+    return sample.is_float || sample.bits > 16 ? 0.0 : sample.fullScale() + 1.0;
+}
+
+/// `placed`: the file's words about its place count, as in readHead().
+std::shared_ptr<const LargeMap> openWindows(const PlacedFile& file, std::optional<int> band, std::uint64_t least_texels,
+                                            bool placed) {
+    const Gdal& g = gdal();
+    auto handle = std::make_unique<Handle>(Handle{openMap(file, true)});
+    const OpenMap& open = handle->file;
+    MapHead head = readHead(open, band, placed);
+    if (std::uint64_t(head.map.width) * std::uint64_t(head.map.height) < least_texels) return nullptr;
+    handle->band = g.GDALGetRasterBand(open.dataset.get(), head.bands[0]);
+    handle->mask = head.unknown.mask;
+    if (head.bands.size() > 1 || g.GDALGetRasterColorTable(handle->band)) return nullptr;
+    checkLargeSize(open, open.width(), open.height());
+    checkLargeSize(open, head.map.width, head.map.height);
+    if (file.format == PlacedFile::Format::Tiff) {
+        InputFile in(file.path);
+        checkTiffBlocks(in);
+    }
+    completeHead(head, open, greatestOf(head.sample));
+    if (!head.sample.isExact())
+        head.map.notices.push_back({Notice::Kind::Note, open.name() + ": values that need more than the 24 bits of a "
+                                                                      "float are rounded"});
+    constexpr GIntBig kCacheBytes = 64 << 20;
+    g.GDALSetCacheMax64(kCacheBytes);
+    return std::make_shared<GdalLargeMap>(std::move(handle), std::move(head));
+}
+
+bool canLoadGdal() try {
+    gdal();
+    return true;
+} catch (const Error&) {
+    return false;
+}
+
+}  // namespace
+
+std::shared_ptr<const LargeMap> openLargeMap(const std::filesystem::path& path, std::optional<int> band,
+                                             std::uint64_t least_texels) {
+    if (const std::optional<FileForGdal> found = fileForGdal(path, band)) try {
+            if (found->file.format == PlacedFile::Format::AsciiGrid) return nullptr;
+            return openWindows(found->file, band, least_texels, true);
+        } catch (const Error& error) {
+            throw withReason(error, *found);
+        }
+    InputFile file(path);
+    if (formatOf(file) != MapFormat::Tiff) return nullptr;
+    const TiffPage page = tiffPageOf(file);
+    if (!page.plain_grey || page.width * page.height < least_texels || !canLoadGdal()) return nullptr;
+    return openWindows({PlacedFile::Format::Tiff, path, {}}, band, least_texels, false);
+}
+
+}  // namespace dsphere::geo
