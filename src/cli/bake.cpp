@@ -1,4 +1,4 @@
-#include "query/bake.h"
+#include "query/bakelayers.h"
 
 #include "base/error.h"
 #include "cli/commands.h"
@@ -6,6 +6,7 @@
 #include "cli/print.h"
 #include "cli/sceneoptions.h"
 #include "cli/signals.h"
+#include "geo/layerwriter.h"
 #include "image/greymap.h"
 #include "image/picture.h"
 
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 namespace dsphere::cli {
 
@@ -25,6 +25,7 @@ struct BakeCommand {
     SceneOptions scene;
     std::string outfile;
     std::vector<std::string> quantities, suns;
+    std::string suns_file;
     std::vector<double> bounds;
     int samples = 64, azimuths = 8;
     double horizon_bound = 0.01;
@@ -44,9 +45,7 @@ query::Sun sunOf(const std::string& text) {
     query::Sun sun{.longitude = numberOf(words[0], text), .latitude = numberOf(words[1], text)};
     if (words.size() > 2 && words[2] != "inf") sun.distance = numberOf(words[2], text);
     if (words.size() > 3) sun.radius = numberOf(words[3], text);
-    if (std::abs(sun.latitude) > 90.0) throwUsage("--sun {}: a latitude is -90 to 90 degrees", text);
-    if (sun.distance && !(*sun.distance > 1.0)) throwUsage("--sun {}: a distance is above 1 R", text);
-    if (!(sun.radius >= 0.0 && sun.radius < 90.0)) throwUsage("--sun {}: a radius is 0 to 90 degrees", text);
+    if (const std::string fault = query::faultOf(sun); !fault.empty()) throwUsage("--sun {}: {}", text, fault);
     return sun;
 }
 
@@ -81,115 +80,120 @@ query::BakeGrid gridOf(const BakeCommand& options, const Scene& scene, const Sce
     return grid;
 }
 
-/// A plane of the result. low and high: what 0 and 65535 mean in a PNG; NaN: the plane's own range.
-struct Layer {
-    std::string name;
-    std::vector<float> values;
-    float low = 0.0f, high = 1.0f;
-};
+enum class Output { Exr, Png, GeoTiff };
 
-constexpr float kOwnRange = std::numeric_limits<float>::quiet_NaN();
-
-const std::vector<std::string> kQuantities = {"lit", "normal", "slope", "aspect", "height", "sky", "horizon"};
-
-// "lit", or "lit.3" of several.
-std::string layerName(const std::string& quantity, std::size_t k, std::size_t count) {
-    return count == 1 ? quantity : fmt::format("{}.{:0{}}", quantity, k, fmt::formatted_size("{}", count - 1));
+Output outputOf(const std::string& name) {
+    const std::string ending = extensionOf(name);
+    if (ending == ".exr") return Output::Exr;
+    if (ending == ".png") return Output::Png;
+    if (ending == ".tif" || ending == ".tiff") return Output::GeoTiff;
+    throwUsage("{}: expected a name that ends in .exr, .tif or .png", name);
 }
 
-void bakeQuantity(std::vector<Layer>& layers, query::Baker& baker, const BakeCommand& options,
-                  const std::string& quantity) {
-    if (quantity == "height") layers.push_back({"height", baker.height(), kOwnRange, kOwnRange});
-    if (quantity == "slope") layers.push_back({"slope", baker.slope(), 0.0f, 90.0f});
-    if (quantity == "aspect") layers.push_back({"aspect", baker.aspect(), 0.0f, 360.0f});
-    if (quantity == "sky") layers.push_back({"sky", baker.sky(options.samples)});
-    for (int axis = 0; quantity == "normal" && axis < 3; ++axis)
-        layers.push_back({fmt::format("normal.{}", "XYZ"[axis]), baker.normal(axis), -1.0f, 1.0f});
-    for (std::size_t k = 0; quantity == "lit" && k < options.suns.size(); ++k)
-        layers.push_back(
-            {layerName("lit", k, options.suns.size()), baker.lit(sunOf(options.suns[k]), options.samples)});
-    const auto azimuths = std::size_t(options.azimuths);
-    for (std::size_t k = 0; quantity == "horizon" && k < azimuths; ++k)
-        layers.push_back({layerName("horizon", k, azimuths),
-                          baker.horizon(360.0 * double(k) / options.azimuths, options.horizon_bound), -90.0f, 90.0f});
-}
-
-void writePlane(const std::string& path, const query::BakeGrid& grid, Layer& layer, bool quiet) {
-    if (std::isnan(layer.low)) {
-        const auto [least, greatest] = std::ranges::minmax_element(layer.values);
-        layer.low = *least;
-        layer.high = *greatest > *least ? *greatest : *least + 1.0f;
+void bakePng(const BakeCommand& options, const query::BakeGrid& grid, const query::Layer& layer) {
+    const std::vector<float> plane = layer.make();
+    float low = layer.low, high = layer.high;
+    if (std::isnan(low)) {
+        const auto [least, greatest] = std::ranges::minmax_element(plane);
+        low = *least;
+        high = *greatest > *least ? *greatest : *least + 1.0f;
     }
     const auto level = [&](float value) {
-        const float share = (value - layer.low) / (layer.high - layer.low);
+        const float share = (value - low) / (high - low);
         return std::isnan(share) ? std::uint16_t(0)
                                  : std::uint16_t(std::lround(65535.0f * std::clamp(share, 0.0f, 1.0f)));
     };
     const auto fillRow = [&](int j, std::span<std::uint16_t> row) {
-        const float* values = layer.values.data() + std::size_t(j) * row.size();
+        const float* values = plane.data() + std::size_t(j) * row.size();
         std::transform(values, values + row.size(), row.begin(), level);
     };
-    writeGreyMap(path, grid.width, grid.height, fillRow, [](double) { return caughtSignal() == 0; });
-    if (!quiet) printErr("{}: {} from {} (0) to {} (65535)\n", path, layer.name, layer.low, layer.high);
+    writeGreyMap(options.outfile, grid.width, grid.height, fillRow, [](double) { return caughtSignal() == 0; });
+    if (!options.common.quiet) printErr("{}: {} from {} (0) to {} (65535)\n", options.outfile, layer.name, low, high);
 }
 
-void writeLayers(const std::string& path, const query::BakeGrid& grid, std::vector<Layer>& layers, bool quiet) {
-    if (std::filesystem::path(path).extension() != ".exr") {
-        writePlane(path, grid, layers[0], quiet);
-        return;
-    }
+void bakeExr(const BakeCommand& options, const query::BakeGrid& grid, const std::vector<query::Layer>& layers) {
     const Box box{0, 0, grid.width, grid.height};
     Image image{box, box, {}};
-    for (Layer& layer : layers) image.channels.push_back({layer.name, std::move(layer.values)});
-    writeExr(path, image,
+    for (const query::Layer& layer : layers) image.channels.push_back({layer.name, layer.make()});
+    writeExr(options.outfile, image,
              {{"west", float(grid.west)},
               {"east", float(grid.east)},
               {"south", float(grid.south)},
               {"north", float(grid.north)}});
 }
 
-void checkCommand(const BakeCommand& options) {
-    for (const std::string& quantity : options.quantities)
-        if (std::ranges::find(kQuantities, quantity) == kQuantities.end())
-            throwUsage("--quantities: unknown '{}', expected some of {}", quantity, fmt::join(kQuantities, ","));
-    const auto wants = [&](const char* name) { return std::ranges::count(options.quantities, name); };
-    for (const std::string& quantity : options.quantities)
-        if (wants(quantity.c_str()) > 1) throwUsage("--quantities: '{}' stands twice", quantity);
-    if (wants("lit") && options.suns.empty()) throwUsage("--quantities lit: needs a --sun LON,LAT");
-    for (const std::string& sun : options.suns) sunOf(sun);
-    const std::string ending = std::filesystem::path(options.outfile).extension().string();
-    if (ending != ".exr" && ending != ".png")
-        throwUsage("{}: expected a name that ends in .exr or .png", options.outfile);
-    const bool one = options.quantities.size() == 1 && !wants("normal") && !(wants("lit") && options.suns.size() > 1) &&
-                     !(wants("horizon") && options.azimuths > 1);
-    if (ending == ".png" && !one) throwUsage("{}: a PNG holds one plane; write an EXR", options.outfile);
+void bakeGeoTiff(const BakeCommand& options, const query::BakeGrid& grid, const MapFacts& facts,
+                 const std::vector<query::Layer>& layers) {
+    std::vector<geo::LayerInfo> infos;
+    for (const query::Layer& layer : layers) infos.push_back({layer.name, layer.unit, layer.scale, layer.offset});
+    geo::LayerWriter writer(
+        options.outfile, {grid.width, grid.height, grid.west, grid.east, grid.south, grid.north, facts.radius}, infos);
+    for (const query::Layer& layer : layers) writer.write(layer.make());
+    writer.commit();
 }
 
-int runBake(const BakeCommand& options) {
-    checkCommand(options);
-    SceneOptions for_scene = options.scene;
-    for_scene.resolution.clear();
-    const Scene scene = loadScene(for_scene);
-    checkOutputs({{options.outfile, "the map"}}, inputsOf(scene));
-    const SceneMaps maps = loadSceneMaps(scene);
-    if (!options.common.quiet) printNotices(scene.notices), printNotices(maps.notices());
-    const query::BakeGrid grid = gridOf(options, scene, maps);
+query::BakeWishes wishesOf(const BakeCommand& options) {
+    query::BakeWishes wishes{.quantities = options.quantities,
+                             .samples = options.samples,
+                             .azimuths = options.azimuths,
+                             .horizon_bound = options.horizon_bound};
+    const std::vector<std::string>& known = query::bakeQuantities();
+    for (const std::string& quantity : options.quantities) {
+        if (std::ranges::find(known, quantity) == known.end())
+            throwUsage("--quantities: unknown '{}', expected some of {}", quantity, fmt::join(known, ","));
+        if (std::ranges::count(options.quantities, quantity) > 1)
+            throwUsage("--quantities: '{}' stands twice", quantity);
+    }
+    if (!options.suns.empty() && !options.suns_file.empty()) throwUsage("--suns: goes without --sun");
+    for (const std::string& sun : options.suns) wishes.suns.push_back(sunOf(sun));
+    if (!options.suns_file.empty()) wishes.suns = query::readSuns(options.suns_file);
+    const bool lit = std::ranges::count(options.quantities, "lit") > 0;
+    if (lit && wishes.suns.empty()) throwUsage("--quantities lit: needs a --sun LON,LAT, or --suns FILE.csv");
+    if (!lit && !wishes.suns.empty()) throwUsage("--sun: is for --quantities lit");
+    return wishes;
+}
+
+std::uint64_t bakeMap(const BakeCommand& options, const query::BakeWishes& wishes, const Scene& scene,
+                      const SceneMaps& maps, const query::BakeGrid& grid) {
     const PackedScene packed = packScene(scene, maps);
     gpu::Device device = openDevice(options.common);
     const DeviceScene device_scene(device, packed);
-    std::vector<Layer> layers;
-    const auto start = std::chrono::steady_clock::now();
-    std::uint64_t rays = 0;
-    {
-        ProgressLine line(options.common.progress, options.common.quiet, "bake");
-        const Progress progress = [&](double share) { return line.update(share); };
-        query::Baker baker(device, scene, maps, packed, device_scene, grid, progress);
-        for (const std::string& quantity : options.quantities) bakeQuantity(layers, baker, options, quantity);
-        rays = baker.rays();
+    ProgressLine line(options.common.progress, options.common.quiet, "bake");
+    const Progress progress = [&](double share) { return line.update(share); };
+    query::Baker baker(device, scene, maps, packed, device_scene, grid, progress);
+    const std::vector<query::Layer> layers = query::planLayers(baker, wishes);
+    switch (outputOf(options.outfile)) {
+        case Output::Exr:
+            bakeExr(options, grid, layers);
+            break;
+        case Output::GeoTiff:
+            bakeGeoTiff(options, grid, baker.facts(), layers);
+            break;
+        case Output::Png:
+            if (layers.size() > 1)
+                throwUsage("{}: a PNG holds one plane, not {}; write an EXR or a GeoTIFF", options.outfile,
+                           layers.size());
+            bakePng(options, grid, layers[0]);
     }
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     checkValidation(device);
-    writeLayers(options.outfile, grid, layers, options.common.quiet);
+    return baker.rays();
+}
+
+int runBake(const BakeCommand& options) {
+    outputOf(options.outfile);
+    const query::BakeWishes wishes = wishesOf(options);
+    SceneOptions for_scene = options.scene;
+    for_scene.resolution.clear();
+    const Scene scene = loadScene(for_scene);
+    std::vector<NamedFile> inputs = inputsOf(scene);
+    if (!options.suns_file.empty()) inputs.push_back({options.suns_file, "the suns"});
+    checkOutputs({{options.outfile, "the map"}}, inputs);
+    const SceneMaps maps = loadSceneMaps(scene);
+    if (!options.common.quiet) printNotices(scene.notices), printNotices(maps.notices());
+    const query::BakeGrid grid = gridOf(options, scene, maps);
+    const auto start = std::chrono::steady_clock::now();
+    const std::uint64_t rays = bakeMap(options, wishes, scene, maps, grid);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!options.common.quiet) printErr("{} texels, {} rays in {:.2f} s\n", grid.count(), rays, seconds);
     return int(ExitCode::Ok);
 }
@@ -201,10 +205,13 @@ void addBake(CLI::App& app, Action& action) {
     auto options = std::make_shared<BakeCommand>();
     command->add_option("scene", options->scene.scene, "Scene file (.pbrt), or - for standard input; or a heightmap")
         ->required();
-    command->add_option("-o,--outfile", options->outfile, "Map to write: .exr, or .png of 16 bits for one plane")
+    command
+        ->add_option("-o,--outfile", options->outfile,
+                     "Map to write: .exr, a GeoTIFF .tif, or .png of 16 bits for one plane")
         ->type_name("FILE")
         ->required();
-    command->add_option("--quantities", options->quantities, "Some of lit,normal,slope,aspect,height,sky,horizon")
+    command
+        ->add_option("--quantities", options->quantities, "Some of lit,normal,slope,aspect,height,colour,sky,horizon")
         ->delimiter(',')
         ->type_name("LIST")
         ->required();
@@ -226,7 +233,13 @@ void addBake(CLI::App& app, Action& action) {
         ->type_name("LON,LAT[,DIST[,RADIUS]]")
         ->take_all()
         ->allow_extra_args(false);
-    command->add_option("--samples", options->samples, "lit: of a sun's disc; sky: of the half space; default 64")
+    command
+        ->add_option("--suns", options->suns_file,
+                     "lit: a CSV file of suns, one plane each: columns lon,lat and if wanted distance,radius,name")
+        ->type_name("FILE.csv");
+    command
+        ->add_option("--samples", options->samples,
+                     "lit: of a sun's disc; sky: of the half space; colour: of lights with an extent; default 64")
         ->check(CLI::Range(1, 65536))
         ->type_name("N");
     command->add_option("--azimuths", options->azimuths, "horizon: one plane each, clockwise from north; default 8")

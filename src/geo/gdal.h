@@ -43,7 +43,9 @@ namespace dsphere::geo {
     use(VSIFreeFilesystemPluginCallbacksStruct) use(OSRIsGeographic) use(OSRIsProjected) use(OSRGetAttrValue) use(OSRGetName) \
     use(OSRGetNormProjParm) use(OSRGetSemiMajor) use(OSRGetSemiMinor) use(OSRGetLinearUnits) \
     use(OSRGetAngularUnits) use(OSRGetPrimeMeridian) use(OSRNewSpatialReference) use(OSRDestroySpatialReference) \
-    use(OSRSetGeogCS) use(OSRCloneGeogCS) use(OSRSetAxisMappingStrategy) use(OSRExportToWkt)
+    use(OSRSetGeogCS) use(OSRCloneGeogCS) use(OSRSetAxisMappingStrategy) use(OSRExportToWkt) use(GDALCreate) \
+    use(GDALSetGeoTransform) use(GDALSetProjection) use(GDALSetDescription) use(GDALSetRasterUnitType) \
+    use(GDALSetRasterNoDataValue) use(GDALSetRasterScale) use(GDALSetRasterOffset)
 // clang-format on
 
 /// GDAL's functions under their own names; see GDAL's manual for what they do.

@@ -59,26 +59,12 @@ Input openInput(const fs::path& path) {
     return input;
 }
 
-std::string wktOf(OGRSpatialReferenceH crs) {
-    char* text = nullptr;
-    gdal().OSRExportToWkt(crs, &text);
-    const std::string wkt = text ? text : "";
-    gdal().VSIFree(text);
-    return wkt;
-}
-
 /// The longitudes and latitudes that the first input is in or is projected from; without a word of it, on its sphere.
 void setBody(Target& target, const Input& first) {
     const Gdal& g = gdal();
-    OGRSpatialReferenceH own = g.GDALGetSpatialRef(first.map.dataset.get()), crs = nullptr;
-    if (own && (g.OSRIsGeographic(own) || g.OSRIsProjected(own))) {
-        crs = g.OSRCloneGeogCS(own);
-    } else {
-        crs = g.OSRNewSpatialReference(nullptr);
-        constexpr double kEarth = 6371008.8;
-        g.OSRSetGeogCS(crs, "sphere", "sphere", "sphere", first.reference.radius.value_or(kEarth), 0.0, "Greenwich",
-                       0.0, "degree", std::numbers::pi / 180.0);
-    }
+    OGRSpatialReferenceH own = g.GDALGetSpatialRef(first.map.dataset.get());
+    const bool placed = own && (g.OSRIsGeographic(own) || g.OSRIsProjected(own));
+    OGRSpatialReferenceH crs = placed ? g.OSRCloneGeogCS(own) : newSphere(first.reference.radius);
     target.crs = wktOf(crs);
     target.radius = first.reference.radius.value_or(g.OSRGetSemiMajor(crs, nullptr));
     g.OSRDestroySpatialReference(crs);

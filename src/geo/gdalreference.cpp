@@ -164,4 +164,20 @@ std::optional<double> metresIn(const std::string& unit) {
     return {};
 }
 
+OGRSpatialReferenceH newSphere(std::optional<double> radius) {
+    constexpr double kEarth = 6371008.8;
+    const OGRSpatialReferenceH crs = gdal().OSRNewSpatialReference(nullptr);
+    gdal().OSRSetGeogCS(crs, "sphere", "sphere", "sphere", radius.value_or(kEarth), 0.0, "Greenwich", 0.0, "degree",
+                        1.0 / kDegrees);
+    return crs;
+}
+
+std::string wktOf(OGRSpatialReferenceH crs) {
+    char* text = nullptr;
+    gdal().OSRExportToWkt(crs, &text);
+    const std::string wkt = text ? text : "";
+    gdal().VSIFree(text);
+    return wkt;
+}
+
 }  // namespace dsphere::geo

@@ -22,6 +22,11 @@ struct Reference {
 
 Reference referenceOf(const OpenMap& map);
 
+/// Longitudes and latitudes of a sphere of that radius in metres; unset: of the Earth's mean. To be destroyed.
+OGRSpatialReferenceH newSphere(std::optional<double> radius);
+
+std::string wktOf(OGRSpatialReferenceH crs);
+
 /// Metres in a unit of length: 1 for "m", "meters", "METRE"; 1000 for kilometres; unset for what is no length.
 std::optional<double> metresIn(const std::string& unit);
 

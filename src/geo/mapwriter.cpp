@@ -1,12 +1,9 @@
 #include "geo/mapwriter.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdlib>
 
 #include "base/error.h"
+#include "geo/temporary.h"
 
 namespace dsphere::geo {
 namespace {
@@ -74,42 +71,6 @@ void addOverviews(const Vrt& mosaic, const fs::path& file, const fs::path& outpu
     made.reset();
     require(done, progress, output, messages);
 }
-
-/// A file beside the output that takes its place when all is written, or is removed.
-class Temporary {
-  public:
-    explicit Temporary(const fs::path& target) : target_(target), name_(target.string() + ".XXXXXX") {
-        const int descriptor = mkstemp(name_.data());
-        if (descriptor < 0) throwFailure("{}: cannot be written: {}", target.string(), lastSystemError());
-        close(descriptor);
-    }
-    ~Temporary() {
-        std::error_code ignored;
-        if (!done_) fs::remove(name_, ignored);
-    }
-    Temporary(const Temporary&) = delete;
-    Temporary& operator=(const Temporary&) = delete;
-
-    const std::string& name() const { return name_; }
-    void commit() {
-        std::error_code error;
-        fs::permissions(name_, fs::perms(0666 & ~usersMask()), error);
-        fs::rename(name_, target_, error);
-        if (error) throwFailure("{}: cannot be written: {}", target_.string(), error.message());
-        done_ = true;
-    }
-
-  private:
-    static mode_t usersMask() {
-        const mode_t mask = umask(0);
-        umask(mask);
-        return mask;
-    }
-
-    fs::path target_;
-    std::string name_;
-    bool done_ = false;
-};
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 #include "base/error.h"
 #include "geo/import.h"
 #include "geo/largemap.h"
+#include "geo/layerwriter.h"
 #include "geo/readmap.h"
 
 namespace dsphere::geo {
@@ -19,5 +20,16 @@ ImportResult importMaps(const ImportOptions& options) {
     throwInvalid("{}: import needs GDAL, which this dsphere was built without (install libgdal-dev and build it anew)",
                  options.output.string());
 }
+
+struct LayerWriter::Parts {};
+
+LayerWriter::LayerWriter(const std::filesystem::path& output, const LayerPlace&, const std::vector<LayerInfo>&) {
+    throwInvalid("{}: GeoTIFFs need GDAL, which this dsphere was built without (install libgdal-dev and build it anew)",
+                 output.string());
+}
+
+LayerWriter::~LayerWriter() = default;
+void LayerWriter::write(std::span<const float>) {}
+void LayerWriter::commit() {}
 
 }  // namespace dsphere::geo

@@ -68,6 +68,8 @@ RawMap readGtx(InputFile& file) {
     map.gridline = true;
     map.longitude_origin = header.west - 360.0 * std::floor((header.west + 180.0) / 360.0);
     map.type = "float32 GTX";
+    map.facts.unit = std::string("m");  // GCC 12 warns of an overlap when the characters are assigned
+    map.facts.sources["unit"] = "format";
     map.samples.resize(std::size_t(map.width) * std::size_t(map.height));
     std::vector<std::uint8_t> row(4 * std::size_t(header.columns));
     for (std::size_t j = std::size_t(map.height); j-- > 0;) {

@@ -2,6 +2,8 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "query/geography.h"
+#include "verify/compare.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +12,8 @@ namespace dsphere::query {
 
 namespace {
 
-constexpr double kLift = 1e-6;  // R: where rays start above the ground
+constexpr double kLift = 1e-6;   // R: where rays start above the ground
+constexpr double kAbove = 1e-3;  // R: where rays that look down on it start
 constexpr std::size_t kRaysAtOnce = 1u << 20;
 constexpr double kBeside = 1e-9;                   // radians to either side of a texel's centre, where slopes are taken
 constexpr double kGoldenTurn = 2.399963229728653;  // radians: points of a spiral at this angle spread evenly
@@ -80,11 +83,15 @@ struct Baker::Ground {
 
 Baker::Baker(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const PackedScene& packed,
              const DeviceScene& device_scene, const BakeGrid& grid, const Progress& progress)
-    : scene_(scene),
+    : device_(device),
+      scene_(scene),
+      maps_(maps),
+      packed_(packed),
+      device_scene_(device_scene),
       grid_(grid),
       progress_(progress),
       engine_(device, scene, maps, packed, device_scene,
-              {.frame = Frame::Body, .wishes = {}, .whole = false, .secondary = true}) {
+              {.frame = Frame::Body, .whole = false, .secondary = true, .between_blocks = [this] { alive(); }}) {
     body_ = &engine_.shapes()[bodyOf(scene)];
     if (!body_->heights) throwInvalid("{}: bake needs a displacedsphere, and the scene has none", scene.name);
     for (int i = 0; i < grid.width; ++i) {
@@ -177,8 +184,13 @@ std::vector<std::uint8_t> Baker::freeRays(std::size_t count, const Engine::Sourc
     return free;
 }
 
-void Baker::report(int row) const {
-    if (progress_ && !progress_(double(row) / grid_.height)) throw Error(ExitCode::Interrupted, "interrupted");
+void Baker::report(int row) {
+    share_ = double(row) / grid_.height;
+    alive();
+}
+
+void Baker::alive() const {
+    if (progress_ && !progress_(share_)) throw Error(ExitCode::Interrupted, "interrupted");
 }
 
 std::vector<float> Baker::lit(const Sun& sun, int samples) {
@@ -270,6 +282,45 @@ std::vector<float> Baker::horizon(double azimuth, double bound) {
             plane[std::size_t(first) * width + texel] = float(blocked[texel] + half);
     }
     return plane;
+}
+
+QueryRay Baker::rayDown(double i, double j) const {
+    const LocalAxes axes(grid_.latitude(j), grid_.longitude(i));
+    const HeightSample ground =
+        body_->heights->at(std::atan2(axes.up.x, axes.up.z), glm::radians(90.0 - grid_.latitude(j)));
+    const dvec3 start = (body_->relief.base + body_->relief.scale * ground.stored + kAbove * body_->unit) * axes.up;
+    return {{start.x, start.y, start.z}, {-axes.up.x, -axes.up.y, -axes.up.z}};
+}
+
+std::array<std::vector<float>, 3> Baker::colour(int samples) {
+    constexpr double kSide = 0.01;  // texels
+    constexpr std::array<dvec2, 4> kSides{dvec2(-kSide, -kSide), {kSide, -kSide}, {-kSide, kSide}, {kSide, kSide}};
+    const bool drawn = std::ranges::any_of(scene_.lights, [](const Light& light) { return !verify::isLamp(light); });
+    const std::size_t n = drawn ? kSides.size() * std::size_t((samples + 3) / 4) : kSides.size();
+    Engine looking(
+        device_, scene_, maps_, packed_, device_scene_,
+        {.frame = Frame::Body, .wishes = {.colour = true}, .whole = false, .between_blocks = [this] { alive(); }});
+    const std::size_t width = std::size_t(grid_.width);
+    std::array<std::vector<float>, 3> planes;
+    for (std::vector<float>& plane : planes) plane.resize(grid_.count());
+    const int rows = rowsAtOnce(grid_, n);
+    std::vector<std::array<float, 3>> seen;
+    for (int first = 0; first < grid_.height; first += rows) {
+        report(first);
+        const std::size_t texels = std::size_t(std::min(rows, grid_.height - first)) * width;
+        seen.resize(texels * n);
+        looking.trace(
+            seen.size(),
+            [&](std::size_t k) {
+                const dvec2 side = kSides[k % kSides.size()];
+                return rayDown(double(k / n % width) + side.x, double(first) + double(k / n / width) + side.y);
+            },
+            [&](std::size_t k, const Answer& answer) { seen[k] = answer.colour; });
+        for (std::size_t k = 0; k < seen.size(); ++k)
+            for (std::size_t c = 0; c < 3; ++c) planes[c][std::size_t(first) * width + k / n] += seen[k][c] / float(n);
+    }
+    rays_ += grid_.count() * n;
+    return planes;
 }
 
 }  // namespace dsphere::query

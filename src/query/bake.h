@@ -1,9 +1,10 @@
 #pragma once
 
 #include "query/engine.h"
+#include "query/suns.h"
 #include "render/renderer.h"
 
-#include <optional>
+#include <array>
 #include <vector>
 
 namespace dsphere::query {
@@ -13,16 +14,9 @@ struct BakeGrid {
     int width = 0, height = 0;
     double west = -180.0, east = 180.0, south = -90.0, north = 90.0;
 
-    double longitude(int i) const { return west + (i + 0.5) * (east - west) / width; }  ///< of a texel's centre
-    double latitude(int j) const { return north - (j + 0.5) * (north - south) / height; }
+    double longitude(double i) const { return west + (i + 0.5) * (east - west) / width; }  ///< of a texel's centre
+    double latitude(double j) const { return north - (j + 0.5) * (north - south) / height; }
     std::size_t count() const { return std::size_t(width) * std::size_t(height); }
-};
-
-/// A light in the sky of the body.
-struct Sun {
-    double longitude = 0.0, latitude = 0.0;  ///< degrees, of the point that it stands above
-    std::optional<double> distance = {};     ///< from the body's centre, in R; none: infinitely far away
-    double radius = 0.0;                     ///< of its disc, degrees as seen from the body's centre; 0: a point
 };
 
 /// What holds at the surface of a scene's body, its first displacedsphere, texel by texel: one plane a quantity,
@@ -50,6 +44,12 @@ class Baker {
     /// blocks every ray below one that it blocks. Error (InvalidInput) if the scene has more shapes.
     std::vector<float> horizon(double azimuth, double bound);
 
+    /// Red, green and blue: the direct light that a camera straight above sees, as `render` shades it, the mean of four
+    /// points a hundredth of a texel to the sides. Lights with an extent, or image skies, are sampled `samples` times.
+    std::array<std::vector<float>, 3> colour(int samples);
+
+    /// What the body's map says of its values.
+    const MapFacts& facts() const { return *body_->facts; }
     /// Rays traced so far.
     std::uint64_t rays() const { return rays_; }
 
@@ -61,16 +61,25 @@ class Baker {
     std::vector<float> mapped(Value value) const;
     /// Where the rays of a row of texels start, object space.
     std::vector<dvec3> startsOf(int row) const;
+    /// Straight down at a place between texel centres.
+    QueryRay rayDown(double i, double j) const;
     dvec3 up(int i, int j) const;
     dvec3 inLocalAxes(int i, int j, const dvec3& east_north_up) const;
     /// free(k): ray k of the source meets nothing.
     std::vector<std::uint8_t> freeRays(std::size_t count, const Engine::Source& source);
-    void report(int row) const;
+    void report(int row);
+    /// Error (Interrupted) when the caller says stop.
+    void alive() const;
 
+    gpu::Device& device_;
     const Scene& scene_;
+    const SceneMaps& maps_;
+    const PackedScene& packed_;
+    const DeviceScene& device_scene_;
     const ShapeFrame* body_ = nullptr;
     BakeGrid grid_;
     const Progress& progress_;
+    double share_ = 0.0;  ///< of the plane that is done
     Engine engine_;
     std::vector<dvec2> meridians_, parallels_;  ///< sine and cosine, of each column's longitude, each row's latitude
     std::uint64_t rays_ = 0;

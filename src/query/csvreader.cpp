@@ -1,12 +1,12 @@
 #include "query/rayreader.h"
 
 #include "base/error.h"
+#include "query/csvtable.h"
 
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace dsphere::query {
@@ -19,21 +19,6 @@ constexpr const char* kExpected =
     "with to_x,to_y,to_z (or to_lat,to_lon,to_alt); `ground` may stand for `alt`; tmin,tmax as well";
 
 constexpr int kAbsent = -1;
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(" \t"), end = text.find_last_not_of(" \t");
-    return begin == std::string_view::npos ? std::string_view() : text.substr(begin, end - begin + 1);
-}
-
-std::vector<std::string_view> split(std::string_view line) {
-    std::vector<std::string_view> words;
-    for (std::size_t begin = 0;;) {
-        const std::size_t comma = line.find(',', begin);
-        words.push_back(trimmed(line.substr(begin, comma - begin)));
-        if (comma == std::string_view::npos) return words;
-        begin = comma + 1;
-    }
-}
 
 /// The columns of a point: Cartesian, or latitude, longitude and a height.
 struct PointColumns {
@@ -66,9 +51,6 @@ class Columns {
         for (std::size_t i = 0; i < names_.size(); ++i)
             if (!used_[i]) refuse("the column '" + names_[i] + "' is unknown, or does not go with the others");
     }
-
-    const std::string& name(std::size_t i) const { return names_[i]; }
-    std::size_t size() const { return names_.size(); }
 
     PointColumns origin, target;
     std::array<int, 3> direction{kAbsent, kAbsent, kAbsent};
@@ -111,77 +93,33 @@ class Columns {
 class CsvReader : public RayReader {
   public:
     CsvReader(InputStream stream, const Geography& geography)
-        : stream_(std::move(stream)), geography_(geography), columns_(readHeader()) {
-        values_.resize(columns_.size());
+        : geography_(geography), table_(std::move(stream), kExpected), columns_(table_.names(), table_.where()) {
+        values_.resize(table_.names().size());
     }
 
     RayRows read(std::vector<double>& room, std::size_t most) override {
         room.clear();
-        std::string line;
-        while (room.size() < 8 * most && nextLine(line)) appendRay(room, line);
+        while (room.size() < 8 * most && table_.next()) appendRay(room);
         return {room.data(), 8, room.size() / 8};
     }
 
     std::optional<std::uint64_t> count() const override { return {}; }
     std::optional<double> share() const override {
-        if (!stream_.size() || *stream_.size() == 0) return {};
-        return std::min(1.0, double(bytes_) / double(*stream_.size()));
+        const std::optional<std::uint64_t> size = table_.stream().size();
+        if (!size || *size == 0) return {};
+        return std::min(1.0, double(table_.bytes()) / double(*size));
     }
 
   private:
-    std::string where() const { return fmt::format("{}:{}", stream_.name(), line_number_); }
-
-    // Passes over empty lines and comments.
-    bool nextLine(std::string& line) {
-        while (stream_.line(line)) {
-            ++line_number_;
-            bytes_ += line.size() + 1;
-            const std::string_view text = trimmed(line);
-            if (!text.empty() && text[0] != '#') return true;
-        }
-        return false;
-    }
-
-    std::vector<std::string> headerNames() {
-        std::string line;
-        if (stream_.peek(3) == "\xef\xbb\xbf") {
-            char mark[3];
-            stream_.read(mark, 3);
-        }
-        if (!nextLine(line))
-            throwInvalid("{}: is empty; its first line names the columns: {}", stream_.name(), kExpected);
-        std::vector<std::string> names;
-        for (const std::string_view name : split(line)) names.emplace_back(name);
-        return names;
-    }
-
-    Columns readHeader() {
-        std::vector<std::string> names = headerNames();
-        return {std::move(names), where()};
-    }
-
-    void parse(const std::string& line) {
-        const std::vector<std::string_view> words = split(line);
-        if (words.size() != values_.size())
-            throwInvalid("{}: {} values, expected {}, one for each column", where(), words.size(), values_.size());
-        for (std::size_t i = 0; i < words.size(); ++i) {
-            std::string_view word = words[i];
-            if (word.size() > 1 && word[0] == '+') word.remove_prefix(1);
-            const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), values_[i]);
-            if (error != std::errc() || end != word.data() + word.size())
-                throwInvalid("{}: the value of '{}' is '{}', expected a number", where(), columns_.name(i), words[i]);
-        }
-    }
-
     double value(int column) const { return values_[std::size_t(column)]; }
 
     dvec3 point(const PointColumns& of) const {
         const dvec3 given(value(of.at[0]), value(of.at[1]), value(of.at[2]));
-        return of.geographic ? geography_.point(given.x, given.y, given.z, of.above, where()) : given;
+        return of.geographic ? geography_.point(given.x, given.y, given.z, of.above, table_.where()) : given;
     }
 
-    void appendRay(std::vector<double>& room, const std::string& line) {
-        parse(line);
+    void appendRay(std::vector<double>& room) {
+        for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = table_.number(i);
         const dvec3 origin = point(columns_.origin);
         dvec3 direction;
         double t_max = std::numeric_limits<double>::infinity();
@@ -199,9 +137,8 @@ class CsvReader : public RayReader {
         room.push_back(columns_.t_max == kAbsent ? t_max : value(columns_.t_max));
     }
 
-    InputStream stream_;
     const Geography& geography_;
-    std::uint64_t line_number_ = 0, bytes_ = 0;
+    CsvTable table_;
     Columns columns_;
     std::vector<double> values_;
 };

@@ -103,6 +103,7 @@ Answer Engine::answerOf(const QueryRay& ray, const layout::QueryHit& found, cons
     if (!was_hit) return answer;
     hit.status = inside ? QueryStatus::Inside : QueryStatus::Hit;
     hit.id = found.flags >> 3;
+    if (look) answer.colour = {look->red, look->green, look->blue};
     if (!options_.whole) return answer;
     if (!inside) hit.lit = found.lit;  // within the solid no light is seen
     const ShapeFrame& shape = shapes_[hit.id - 1];
@@ -128,7 +129,6 @@ Answer Engine::answerOf(const QueryRay& ray, const layout::QueryHit& found, cons
     if (look) {
         hit.u = double(look->u);
         hit.v = double(look->v);
-        answer.colour = {look->red, look->green, look->blue};
     }
     if (shape.heights) describePlace(hit, shape, place);
     return answer;
@@ -152,6 +152,7 @@ void Engine::trace(std::size_t count, const Source& source, const Sink& sink) {
     const auto sizeOf = [&](std::size_t b) { return std::min<std::size_t>(capacity_, count - b * capacity_); };
     if (blocks > 0) pack(*blocks_[0], 0, sizeOf(0), source);
     for (std::size_t b = 0; b <= blocks; ++b) {
+        if (options_.between_blocks) options_.between_blocks();
         std::future<void> tracing;
         if (b < blocks)
             tracing = std::async(std::launch::async, [this, b, rays = std::uint32_t(sizeOf(b))] {

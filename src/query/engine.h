@@ -33,6 +33,7 @@ class Engine {
         RayWishes wishes = {};
         bool whole = true;       ///< false: status and id alone are wanted
         bool secondary = false;  ///< by the rules of shadow rays: they leave a surface, and a start inside is no hit
+        std::function<void()> between_blocks = {};  ///< called every few hundredths of a second; may throw
     };
     using Source = std::function<QueryRay(std::size_t)>;
     /// Takes the answer of a ray, once for each; called from many threads.

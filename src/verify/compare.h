@@ -33,6 +33,9 @@ struct WorldRay {
     bool rounded_ends = false;  ///< where it begins and ends is as uncertain as where it passes
 };
 
+/// Whether a light's direction at a point is given, not drawn.
+bool isLamp(const Light& light);
+
 /// Holds a device's answers against the reference, one ray at a time. Thread-safe; reports go to the caller's.
 class Comparison {
   public:

@@ -24,12 +24,11 @@ ShadingPoint pointOf(const Answer& answer, const LightAnswer& light, const dvec3
             .towards_viewer = towards_viewer};
 }
 
-/// Lights whose direction at a point is given, not drawn.
+}  // namespace
+
 bool isLamp(const Light& light) {
     return std::holds_alternative<DistantLight>(light) || std::holds_alternative<PointLight>(light);
 }
-
-}  // namespace
 
 bool Comparison::tangentShadow(const Answer& answer, const LightAnswer& light, const WorldRay& shadow, double t_max,
                                int emitter, bool device_lit) const {

@@ -114,6 +114,31 @@ TEST_F(Places, ImportMakesAMapThatRenders) {
     expectFailure(again, 2, "would replace regional.tif");
 }
 
+TEST_F(Places, BakedHeightsAreTheMap) {
+    copy("maps/scale_offset.tif");
+    const Outcome made = run({"bake", "scale_offset.tif", "-o", "height.tif", "--quantities", "height", "--quiet"});
+    EXPECT_EQ(made.code, 0) << made.err;
+    const nlohmann::json map = info("scale_offset.tif"), baked = info("height.tif");
+    for (const char* key : {"radius", "unit", "extent", "longitude_origin", "registration", "height_range"})
+        EXPECT_EQ(baked[key], map[key]) << key;
+    const Outcome both =
+        run({"bake", "scale_offset.tif", "-o", "two.tif", "--quantities", "slope,lit", "--sun", "0,3"});
+    EXPECT_EQ(both.code, 0) << both.err;
+    expectFailure(run(Launch{.arguments = {"bake", "map.pgm", "-o", "a.tif", "--quantities", "slope"},
+                             .environment = {"DSPHERE_GDAL=/no/such/libgdal.so"}}),
+                  3, "cannot be loaded");
+    EXPECT_FALSE(exists("a.tif"));
+}
+
+TEST_F(Places, ABakeThatIsStoppedLeavesNothing) {
+    const std::size_t before = folder_.entries();
+    const Outcome outcome = run(Launch{.arguments = {"bake", "map.pgm", "-o", "out.tif", "--quantities", "sky",
+                                                     "--resolution", "4096,2048", "--progress", "always"},
+                                       .signal = SIGINT});
+    EXPECT_EQ(outcome.code, 130) << outcome.err;
+    EXPECT_EQ(folder_.entries(), before);
+}
+
 TEST_F(Places, AnImportThatIsStoppedLeavesWhatThereWas) {
     copy("maps/web_mercator.tif");
     folder_.write("out.tif", "what there was");

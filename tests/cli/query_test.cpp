@@ -108,6 +108,22 @@ TEST_F(QueryCli, BakeWritesPlanesByName) {
     EXPECT_TRUE(exists("slope.png"));
 }
 
+TEST_F(QueryCli, BakeTakesSunsFromAFile) {
+    folder_.write("suns.csv", "lon,lat,radius,name\n0,1.5,0.27,dawn\n90,1.5,0.27,noon\n");
+    const Outcome outcome = run({"bake", "planet.pbrt", "-o", "lit.exr", "--quantities", "lit,colour", "--suns",
+                                 "suns.csv", "--samples", "4", "--resolution", "16,8", "--quiet"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Image image = readExr(path("lit.exr"));
+    for (const char* name : {"lit.dawn", "lit.noon", "R", "G", "B"}) EXPECT_TRUE(image.find(name)) << name;
+    expectFailure(run({"bake", "planet.pbrt", "-o", "suns.csv.exr", "--quantities", "lit", "--suns", "none.csv"}), 1,
+                  "none.csv");
+    expectFailure(
+        run({"bake", "planet.pbrt", "-o", "a.exr", "--quantities", "lit", "--suns", "suns.csv", "--sun", "1,2"}), 2,
+        "goes without --sun");
+    expectFailure(run({"bake", "planet.pbrt", "-o", "a.exr", "--quantities", "slope", "--suns", "suns.csv"}), 2,
+                  "for --quantities lit");
+}
+
 TEST_F(QueryCli, BakesMistakesAreNamed) {
     const auto bake = [&](std::vector<std::string> more) {
         more.insert(more.begin(), {"bake", "planet.pbrt"});
@@ -119,7 +135,7 @@ TEST_F(QueryCli, BakesMistakesAreNamed) {
     expectFailure(bake({"-o", "a.exr", "--quantities", "lit", "--sun", "1,x"}), 2, "'x' is no number");
     expectFailure(bake({"-o", "a.exr", "--quantities", "lit", "--sun", "1,91"}), 2, "a latitude");
     expectFailure(bake({"-o", "a.png", "--quantities", "normal"}), 2, "a PNG holds one plane");
-    expectFailure(bake({"-o", "a.tif", "--quantities", "slope"}), 2, "ends in .exr or .png");
+    expectFailure(bake({"-o", "a.jpg", "--quantities", "slope"}), 2, "ends in .exr, .tif or .png");
     expectFailure(bake({"-o", "a.exr", "--quantities", "slope", "--bounds", "10,0,0,10"}), 2, "expected W < E");
     EXPECT_FALSE(exists("a.exr"));
 }

@@ -29,6 +29,7 @@ TEST(Gtx, KeepsFloatsAndTurnsTheRowsNorthFirst) {
     EXPECT_EQ(map.longitude_origin, -180.0);
     EXPECT_EQ(map.full_scale, 1.0);
     EXPECT_EQ(map.type, "float32 GTX");
+    EXPECT_EQ(map.facts.unit, "m") << "what a GTX has";
     EXPECT_EQ(map.samples, samples);
 }
 

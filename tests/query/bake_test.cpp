@@ -133,6 +133,55 @@ TEST_F(Bake, ADiscIsSeenInPart) {
     EXPECT_NEAR(lit[6], share, 0.03);
 }
 
+// Lambert's law on a flat sphere, whose own normal is that of a plane under the sun.
+TEST_F(Bake, ColourOfAFlatSphereIsLamberts) {
+    const World flat = world("Material \"diffuse\" \"rgb reflectance\" [.5 .25 .125] Shape \"displacedsphere\"\n");
+    const BakeGrid grid = ownGrid(24, 12);
+    const auto colour = baker(flat, grid).colour(64);
+    const dvec3 sun = glm::normalize(dvec3(2.0, 1.0, 0.0));
+    for (std::size_t k = 0; k < grid.count(); ++k) {
+        const double cosine = glm::dot(LocalAxes(grid.latitude(int(k / 24)), grid.longitude(int(k % 24))).up, sun);
+        for (std::size_t c = 0; c < 3; ++c)
+            EXPECT_NEAR(colour[c][k], 0.5 / double(1 << c) / kPi * std::max(cosine, 0.0), 2e-4 / double(1 << c)) << k;
+    }
+}
+
+// A texel's colour is the mean of what the reference shades at its four points, with shadows.
+TEST_F(Bake, ColourIsTheReferences) {
+    const World hills = world("Material \"diffuse\" \"rgb reflectance\" [.5 .3 .2] " + planet("\"float maxdispl\" 5"));
+    const BakeGrid grid = ownGrid(256, 128);
+    const auto colour = baker(hills, grid).colour(64);
+    const SceneMaps& maps = hills.maps;
+    const reference::Tracer tracer(hills.scene, maps.perShape(), maps.reliefs, maps.imagePerShape());
+    int dark = 0, different = 0;
+    for (std::size_t k = 0; k < grid.count(); k += 7) {
+        dvec3 sum(0.0);
+        for (const dvec2& side : {dvec2(-0.01, -0.01), {0.01, -0.01}, {-0.01, 0.01}, {0.01, 0.01}}) {
+            const dvec3 up =
+                LocalAxes(grid.latitude(double(k / 256) + side.y), grid.longitude(double(k % 256) + side.x)).up;
+            const reference::WorldHit hit = tracer.firstHit(2.0 * up, -up);
+            const reference::ShadingPoint point = tracer.shadingPoint(hit, -up);
+            sum += 0.25 * tracer.directLight(point, {}, tracer.litLights(point, {}));
+        }
+        dark += sum == dvec3(0.0);
+        for (std::size_t c = 0; c < 3; ++c) different += std::abs(colour[c][k] - sum[int(c)]) > 1e-4;
+    }
+    EXPECT_LE(different, 6) << "points whose shadow a move of 1e-6 R changes";
+    EXPECT_GT(dark, 1500);
+    EXPECT_LT(dark, 3500);
+}
+
+// A sky that is white all around lights a convex body's ground fully.
+TEST_F(Bake, ColourDrawsSamplesOfASky) {
+    const Scene scene = parseScene(
+        "WorldBegin LightSource \"infinite\" \"rgb L\" [1 1 1] "
+        "Material \"diffuse\" \"rgb reflectance\" [.5 .5 .5] Shape \"displacedsphere\"",
+        "test.pbrt", folder_.path());
+    const World bright(device_, scene, {});
+    const auto colour = baker(bright, ownGrid(12, 6)).colour(256);
+    for (const float value : colour[0]) EXPECT_NEAR(value, 0.5f, 0.05f);
+}
+
 TEST_F(Bake, WhatCannotBeIsRefused) {
     const World two = world("Shape \"displacedsphere\" Translate 3 0 0 Shape \"sphere\"\n");
     test::expectError(ExitCode::InvalidInput, "2 shapes", [&] { baker(two, ownGrid(4, 2)).horizon(0.0, 0.1); });

@@ -1,6 +1,7 @@
 // Files of rays and of answers.
 
 #include "query/hitwriter.h"
+#include "query/suns.h"
 #include "scene/parser.h"
 #include "tests/support/expecterror.h"
 #include "tests/support/tempfolder.h"
@@ -181,6 +182,45 @@ TEST_F(RayFile, FieldsAndEndingsAreChecked) {
     expectError(ExitCode::Usage, "'t' stands twice", [] { Record({"t", "t"}); });
     expectError(ExitCode::Usage, "ends in .npy or .csv", [] { formatOfName("hits.txt"); });
     expectError(ExitCode::Usage, "begins with its length", [] { HitWriter("-", FileFormat::Npy, Record({"t"}), {}); });
+}
+
+class SunFile : public testing::Test {
+  protected:
+    std::vector<Sun> read(const std::string& text) { return readSuns(folder_.write("suns.csv", text).string()); }
+    void refuses(const std::string& text, const std::string& part) {
+        expectError(ExitCode::InvalidInput, part, [&] { read(text); });
+    }
+
+    test::TempFolder folder_;
+};
+
+TEST_F(SunFile, OneALine) {
+    const std::vector<Sun> suns =
+        read("# a day\nlon, lat ,distance,radius,name\n10,-1.5,inf,0.27,noon\n\n370,2,1.5,0,dusk\n");
+    ASSERT_EQ(suns.size(), 2u);
+    EXPECT_EQ(suns[0].longitude, 10.0);
+    EXPECT_EQ(suns[0].latitude, -1.5);
+    EXPECT_FALSE(suns[0].distance);
+    EXPECT_EQ(suns[0].radius, 0.27);
+    EXPECT_EQ(suns[0].name, "noon");
+    EXPECT_EQ(suns[1].distance, 1.5);
+    EXPECT_EQ(read("lat,lon\n1,2\n")[0].longitude, 2.0);
+}
+
+TEST_F(SunFile, WhatIsWrongIsNamedWithItsLine) {
+    refuses("", "is empty");
+    refuses("lon,lat\n", "holds no suns");
+    refuses("lon\n1\n", "suns.csv:1: lacks the column 'lat'");
+    refuses("lon,lat,time\n1,2,3\n", "'time' is unknown");
+    refuses("lon,lat,lon\n1,2,3\n", "'lon' stands twice");
+    refuses("lon,lat\n1,2\n1,91\n", "suns.csv:3: a latitude of 91");
+    refuses("lon,lat\nx,2\n", "suns.csv:2: the value of 'lon' is 'x'");
+    refuses("lon,lat\nnan,2\n", "a longitude of nan");
+    refuses("lon,lat,distance\n1,2,0.5\n", "a distance of 0.5, expected above 1 R");
+    refuses("lon,lat,radius\n1,2,90\n", "a radius of 90");
+    refuses("lon,lat,name\n1,2,a\n3,4,a\n", "suns.csv:3: the name 'a' stands twice");
+    refuses("lon,lat\n1\n", "1 values, expected 2");
+    expectError(ExitCode::Failure, "none.csv", [&] { readSuns((folder_.path() / "none.csv").string()); });
 }
 
 }  // namespace
