@@ -7,8 +7,11 @@
 namespace dsphere::cli {
 
 void addCommonOptions(CLI::App& command, CommonOptions& options) {
-    command.add_option("--device", options.device, "Vulkan device: its index, a part of its name, or cpu")
-        ->type_name("INDEX|NAME|cpu");
+    command
+        .add_option("--device", options.device,
+                    "Vulkan device: its index, a part of its name, or cpu; render and verify also know host and "
+                    "host-double: the shaders compiled for the CPU, in float or double, without Vulkan")
+        ->type_name("INDEX|NAME|cpu|host|host-double");
     command.add_flag("--validation", options.validation, "Run under the Vulkan validation layers; any message fails");
     command.add_flag("--json", options.json, "Print the result as JSON on standard output");
     command.add_flag("--quiet", options.quiet, "Print errors only");

@@ -124,7 +124,7 @@ Target checkTarget(const RenderOptions& options, const Scene& scene, const std::
 struct Result {
     const Target& target;
     const gpu::DeviceInfo& device;
-    const Renderer& renderer;
+    const SceneRenderer& renderer;
     const SceneMaps& maps;
     double seconds;
     std::size_t non_finite_pixels;
@@ -190,7 +190,7 @@ struct Rendered {
 
 // `update_planes` is told the share that is done of the AOVs; false ends all by an Error. `update` is told that of the
 // colour; false ends it after the sample in progress. Both may throw.
-Rendered renderAll(Renderer& renderer, const Scene& scene, const Target& target, SampleSums start,
+Rendered renderAll(SceneRenderer& renderer, const Scene& scene, const Target& target, SampleSums start,
                    const Progress& update_planes, const Progress& update) {
     Rendered result;
     if (target.aovs) result.planes = renderer.renderPlanes(target.aovs, update_planes);
@@ -201,7 +201,7 @@ Rendered renderAll(Renderer& renderer, const Scene& scene, const Target& target,
 }
 
 // An interruption ends it at once, by an Error, or after the sample in progress if a part is to be written.
-Rendered renderOne(Renderer& renderer, const Scene& scene, const RenderOptions& options, const Target& target,
+Rendered renderOne(SceneRenderer& renderer, const Scene& scene, const RenderOptions& options, const Target& target,
                    SampleSums start) {
     ProgressLine line(options.common.progress, options.common.quiet, "render");
     const auto update = [&](double share) { return line.update(share); };
@@ -283,7 +283,7 @@ int runFrames(const RenderOptions& options, Scene& scene, const MarchMethod& met
             const auto progressOfPlanes = [&](double) { return progress(0.0); };
             auto rendered = std::make_shared<Rendered>(
                 renderAll(shown.renderer(), frame.scene, target, {}, progressOfPlanes, progress));
-            checkValidation(shown.device());
+            shown.device().checkValidation();
             notices.add(frame.number, noticesOf(nonFinitePixels(rendered->colour)));
             std::optional<double> seconds = shown.renderer().stats().device_seconds - before;
             device_seconds += *seconds;
@@ -326,7 +326,7 @@ int runRender(const RenderOptions& options) {
     if (earlier.sums.samples > 0 && !earlier.sums.sums.find("A")) target.colours = kColourPlanes;
     if (options.write_partial) completing.emplace();
     Rendered rendered = renderOne(shown.renderer(), scene, options, target, std::move(earlier.sums));
-    checkValidation(shown.device());
+    shown.device().checkValidation();
     const int done = rendered.colour.samples;
     const std::size_t non_finite = nonFinitePixels(rendered.colour);
     std::optional<double> seconds = earlier.device_seconds + shown.renderer().stats().device_seconds;

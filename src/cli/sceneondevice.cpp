@@ -11,8 +11,8 @@ SceneOnDevice::SceneOnDevice(Scene& scene, const SceneOptions& placement, const 
     auto reading = std::async(std::launch::async, [&scene] { return loadSceneMaps(scene); });
     std::future<void> compiling;
     try {
-        device_.emplace(gpu::DeviceOptions{common.device, common.validation});
-        compiling = warmAhead(*device_, traitsOf(scene), method, planes);
+        device_.emplace(common);
+        compiling = device_->warmAhead(traitsOf(scene), method, planes);
     } catch (...) {
         reading.get();  // a bad map is what the user hears of first, whatever the device
         throw;
@@ -22,7 +22,10 @@ SceneOnDevice::SceneOnDevice(Scene& scene, const SceneOptions& placement, const 
     if (!common.quiet) printNotices(maps.notices());
     PackedScene packed = packScene(scene, maps, levelsOf(method));
     if (compiling.valid()) compiling.get();
-    moving_.emplace(*device_, scene, std::move(maps), std::move(packed), method);
+    const auto makeRenderer = [this, method](const PackedScene& of, const Scene& with) {
+        return device_->makeRenderer(of, with, method);
+    };
+    moving_.emplace(makeRenderer, scene, std::move(maps), std::move(packed), levelsOf(method));
 }
 
 }  // namespace dsphere::cli

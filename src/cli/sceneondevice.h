@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/commands.h"
+#include "cli/anydevice.h"
 #include "cli/sceneoptions.h"
 #include "render/movingscene.h"
 
@@ -17,12 +17,12 @@ class SceneOnDevice {
     SceneOnDevice(Scene& scene, const SceneOptions& placement, const CommonOptions& common, const MarchMethod& method,
                   std::uint32_t planes);
 
-    const gpu::Device& device() const { return *device_; }
+    const AnyDevice& device() const { return *device_; }
     MovingScene& moving() { return *moving_; }
-    Renderer& renderer() { return moving_->renderer(); }
+    SceneRenderer& renderer() { return moving_->renderer(); }
 
   private:
-    std::optional<gpu::Device> device_;
+    std::optional<AnyDevice> device_;
     std::optional<MovingScene> moving_;
 };
 

@@ -1,6 +1,7 @@
 #include "verify/verify.h"
 
 #include "base/error.h"
+#include "cli/anydevice.h"
 #include "cli/commands.h"
 #include "cli/outputs.h"
 #include "cli/placecamera.h"
@@ -72,14 +73,16 @@ int runVerify(const VerifyOptions& options) {
         printNotices(scene.notices), printNotices(maps.notices());
         printCameraNotices(scene, maps);
     }
-    gpu::Device device = openDevice(options.common);
+    AnyDevice device(options.common);
+    const PackedScene packed = packScene(scene, maps);
+    const auto renderer = device.makeRenderer(packed, scene, options.scene.marcher);
     verify::Outcome outcome;
     {
         ProgressLine line(options.common.progress, options.common.quiet, "verify");
-        outcome = verify::verifyScene(device, scene, maps, {options.scene.marcher, options.samples},
+        outcome = verify::verifyScene(*renderer, scene, maps, options.samples,
                                       [&](double share) { return line.update(share); });
     }
-    checkValidation(device);
+    device.checkValidation();
     const verify::Report& report = outcome.report;
     std::vector<std::string> violations = report.violations();
     if (options.common.json) {

@@ -1,31 +1,15 @@
 #include "render/marchpipeline.h"
 
-#include "base/error.h"
 #include "gpu/device.h"
-#include "surface/slope.h"
+#include "render/specialization.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
 #include <thread>
 
 namespace dsphere {
 
 bool isNarrow(const gpu::Device& device) {
     return device.info().type == "CPU";
-}
-
-// For the steepest of the scene's maps; rounded down.
-float safeStride(const PackedScene& packed, const MarchMethod& method) {
-    if (method.marcher != Marcher::Lipschitz) return 1.0f;
-    if (packed.traits.curved())
-        throwInvalid(
-            "the Lipschitz marcher knows bilinear surfaces alone; the scene has a B-spline, ripples or smooth normals");
-    double bound = 1.0;
-    for (const PackedRelief& relief : packed.reliefs)
-        bound = std::max(bound, gradientBound(*packed.nodes[std::size_t(relief.map)], relief.base, relief.scale));
-    return std::nextafter(float(1.0 / bound), 0.0f);
 }
 
 // Baselines have no second pipeline to leave pixels to. Fewer turns where a pixel's loops are long before any march,
@@ -49,35 +33,10 @@ gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& t
     bindings.push_back(shader == Shader::Render ? Binding::StorageImage : Binding::StorageBuffer);
     bindings.push_back(Binding::StorageBuffer);
     if (shader == Shader::Query) bindings.insert(bindings.end(), 2, Binding::StorageBuffer);
-    std::array<std::uint32_t, SPEC_COUNT> specialization = {};
-    specialization[SPEC_MARCHER] = std::uint32_t(method.marcher);
-    specialization[SPEC_OBJECT_COUNT] = traits.objects;
-    specialization[SPEC_LIGHT_COUNT] = traits.lights;
-    specialization[SPEC_KINDS] = traits.kinds;
-    specialization[SPEC_ONLY_DISPLACED] = std::uint32_t(traits.only_displaced);
-    specialization[SPEC_ONLY_PLAIN] = std::uint32_t(traits.only_plain);
+    Specialization specialization = specializationOf(traits, stride, method, planes);
     specialization[SPEC_TURNS] = std::uint32_t(turnsOf(device, traits, method));
-    specialization[SPEC_PLANES] = planes;
-    specialization[SPEC_IMAGES] = traits.images ? 1 : 0;
-    specialization[SPEC_SURFACES] = traits.surfaces;
-    specialization[SPEC_THRESHOLD] = std::bit_cast<std::uint32_t>(method.threshold);
-    specialization[SPEC_STRIDE] = std::bit_cast<std::uint32_t>(stride);
-    specialization[SPEC_DETAIL] = std::bit_cast<std::uint32_t>(method.detail);
-    specialization[SPEC_SHADOWS] = method.shadows ? 1 : 0;
     // One ray that takes long holds all up that share its instructions.
     specialization[SPEC_RETRY_STRIDE] = isNarrow(device) ? 1 : 32;
-    const SceneTraits::Paths& paths = traits.paths;
-    specialization[SPEC_MATERIALS] = paths.materials;
-    specialization[SPEC_LIGHT_KINDS] = paths.light_kinds;
-    specialization[SPEC_CHECKERBOARDS] = paths.checkerboards ? 1 : 0;
-    specialization[SPEC_MAX_DEPTH] = paths.max_depth;
-    specialization[SPEC_DIFFUSE_PATHS] = paths.diffuse_paths ? 1 : 0;
-    specialization[SPEC_CLAMP] = std::bit_cast<std::uint32_t>(paths.clamp);
-    specialization[SPEC_REGULARIZE] = paths.regularize ? 1 : 0;
-    specialization[SPEC_HIDE_DISTANCE] = paths.hide_distance ? 1 : 0;
-    specialization[SPEC_FILTER] = std::uint32_t(paths.filter);
-    specialization[SPEC_RADIUS_X] = std::bit_cast<std::uint32_t>(paths.radius_x);
-    specialization[SPEC_RADIUS_Y] = std::bit_cast<std::uint32_t>(paths.radius_y);
     struct Kind {
         std::uint32_t push_bytes;
         const char* name;

@@ -15,9 +15,6 @@ enum class Shader { Render, Probe, Query };
 /// are invocations to spare.
 bool isNarrow(const gpu::Device& device);
 
-/// The share of |p| - r that no step of the Lipschitz marcher may exceed; 1 for the others.
-float safeStride(const PackedScene& packed, const MarchMethod& method);
-
 /// Pixels that an invocation of the first pipeline takes, one after the other, so that those whose paths end early are
 /// not idle until the longest of their group has.
 int turnsOf(const gpu::Device& device, const SceneTraits& traits, const MarchMethod& method);

@@ -18,11 +18,13 @@ bool fits(const PackedScene& a, const PackedScene& b) {
 
 }  // namespace
 
-MovingScene::MovingScene(gpu::Device& device, Scene scene, SceneMaps maps, PackedScene packed,
-                         const MarchMethod& method)
-    : device_(device), method_(method), scene_(std::move(scene)), maps_(std::move(maps)), packed_(std::move(packed)) {
-    renderer_.emplace(device_, packed_, scene_, method_);
-}
+MovingScene::MovingScene(MakeRenderer make_renderer, Scene scene, SceneMaps maps, PackedScene packed, Levels levels)
+    : make_renderer_(std::move(make_renderer)),
+      levels_(levels),
+      scene_(std::move(scene)),
+      maps_(std::move(maps)),
+      packed_(std::move(packed)),
+      renderer_(make_renderer_(packed_, scene_)) {}
 
 void MovingScene::change(Scene scene) {
     const bool reshaped = !sameGeometry(scene_, scene), relit = scene_.lights != scene.lights;
@@ -42,12 +44,12 @@ void MovingScene::repack() {
         if (const auto* sphere = std::get_if<DisplacedSphere>(&scene_.shapes[i].geometry))
             maps_.reliefs[i] =
                 makeRelief(*sphere, *maps_.maps[std::size_t(maps_.map_of_shape[i])], scene_.shapes[i].where);
-    PackedScene packed = packScene(scene_, maps_, levelsOf(method_));
+    PackedScene packed = packScene(scene_, maps_, levels_);
     const bool same_places = fits(packed, packed_);
     if (!same_places) renderer_.reset();
     packed_ = std::move(packed);
     if (!same_places) {
-        renderer_.emplace(device_, packed_, scene_, method_);
+        renderer_ = make_renderer_(packed_, scene_);
         return;
     }
     renderer_->update(true);

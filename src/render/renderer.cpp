@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "gpu/device.h"
 #include "render/devicefilm.h"
+#include "render/specialization.h"
 
 #include <algorithm>
 #include <cassert>
@@ -15,14 +16,6 @@ namespace {
 
 // Work handed over at once stays well below every driver's watchdog (2 s the shortest).
 constexpr double kSubmitTarget = 0.05;
-
-/// The pixels that may not be black: all under an infinite light.
-std::vector<Span> shownSpans(const PackedScene& packed, const Box& crop) {
-    const SceneTraits::Paths& paths = packed.traits.paths;
-    if (!paths.hide_distance && (paths.light_kinds & (1u << LIGHT_INFINITE | 1u << LIGHT_IMAGE)))
-        return std::vector<Span>(std::size_t(crop.height()), Span{0, crop.width()});
-    return objectSpans(packed.objects, crop, std::max({0.5, double(paths.radius_x), double(paths.radius_y)}));
-}
 
 [[noreturn]] void throwInterrupted() {
     throw Error(ExitCode::Interrupted, "interrupted; nothing was written");
@@ -37,13 +30,13 @@ Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Scene& 
       method_(method),
       crop_(cropBox(scene.film)),
       display_{0, 0, scene.film.width, scene.film.height},
-      spans_(shownSpans(packed, crop_)) {}
+      spans_(shownSpans(packed.traits, packed.objects, crop_)) {}
 
 void Renderer::setCamera(const Scene& scene) {
     device_scene_.updateObjects(packed_);
     crop_ = cropBox(scene.film);
     display_ = {0, 0, scene.film.width, scene.film.height};
-    spans_ = shownSpans(packed_, crop_);
+    spans_ = shownSpans(packed_.traits, packed_.objects, crop_);
 }
 
 void Renderer::runTiles(Pass& pass, TileRun& run, int sample, std::uint32_t seed, const Progress& progress) {

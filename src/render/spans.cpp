@@ -123,4 +123,12 @@ std::vector<Span> objectSpans(const std::vector<layout::ObjectData>& objects, co
     return spans;
 }
 
+std::vector<Span> shownSpans(const SceneTraits& traits, const std::vector<layout::ObjectData>& objects,
+                             const Box& crop) {
+    const SceneTraits::Paths& paths = traits.paths;
+    if (!paths.hide_distance && (paths.light_kinds & (1u << LIGHT_INFINITE | 1u << LIGHT_IMAGE)))
+        return std::vector<Span>(std::size_t(crop.height()), Span{0, crop.width()});
+    return objectSpans(objects, crop, std::max({0.5, double(paths.radius_x), double(paths.radius_y)}));
+}
+
 }  // namespace dsphere

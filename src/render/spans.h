@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/image.h"
-#include "shaders/layout.h"
+#include "render/traits.h"
 
 #include <vector>
 
@@ -19,5 +19,9 @@ struct Span {
 /// devices a group that misses costs almost what one that hits does, since loops run their body once under an empty
 /// mask.
 std::vector<Span> objectSpans(const std::vector<layout::ObjectData>& objects, const Box& box, double reach = 0.5);
+
+/// The pixels of a picture that may not be black: those spans, or all pixels under an infinite light that shows.
+std::vector<Span> shownSpans(const SceneTraits& traits, const std::vector<layout::ObjectData>& objects,
+                             const Box& crop);
 
 }  // namespace dsphere

@@ -144,20 +144,25 @@ Report inChunks(const std::vector<std::size_t>& pixels, const Progress& progress
 
 }  // namespace
 
-Outcome verifyScene(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const Options& options,
+Outcome verifyScene(SceneRenderer& renderer, const Scene& scene, const SceneMaps& maps, std::uint64_t samples,
                     const Progress& progress) {
-    PackedScene packed = packScene(scene, maps);
-    Renderer renderer(device, packed, scene, options.marcher);
     Outcome outcome;
     outcome.device = renderer.renderPlanes(kVerifyPlanes, {});
     outcome.stats = renderer.stats();
     Comparison comparison(scene, maps);
     Channels channels(outcome.device);
     outcome.report = inChunks(
-        chosenPixels(outcome.device.pixelCount(), options.samples), progress,
+        chosenPixels(outcome.device.pixelCount(), samples), progress,
         [&](Report& part, std::size_t i) { comparePixel(part, comparison, scene, outcome.device, channels, i); });
     countNotFinite(outcome.report, outcome.device);
     return outcome;
+}
+
+Outcome verifyScene(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const Options& options,
+                    const Progress& progress) {
+    PackedScene packed = packScene(scene, maps);
+    Renderer renderer(device, packed, scene, options.marcher);
+    return verifyScene(renderer, scene, maps, options.samples, progress);
 }
 
 Image referenceImage(const Scene& scene, const SceneMaps& maps, const Progress& progress) {

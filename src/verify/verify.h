@@ -17,6 +17,11 @@ struct Outcome {
     RenderStats stats;
 };
 
+/// Renders all planes of the scene with a renderer of it, and holds `samples` pixels (drawn with a fixed seed; 0: all)
+/// against the certified reference. Uses all cores. Errors of rendering; Error (Interrupted) when `progress` says stop.
+Outcome verifyScene(SceneRenderer& renderer, const Scene& scene, const SceneMaps& maps, std::uint64_t samples,
+                    const Progress& progress);
+
 /// Renders all planes of the scene on the device and holds its pixels against the certified reference. Uses all cores.
 /// Errors of rendering; Error (Interrupted) when `progress` says stop.
 Outcome verifyScene(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const Options& options,

@@ -93,8 +93,24 @@ TEST_F(InputTest, DriverThatIsMissing) {
         EXPECT_EQ(outcome.code, 4) << outcome.err;
         EXPECT_EQ(outcome.out, "");
         EXPECT_TRUE(holds(outcome.err, "no Vulkan device"));
+        if (launch.arguments[0] == "render") {
+            EXPECT_TRUE(holds(outcome.err, "--device host"));
+        }
     }
     EXPECT_FALSE(exists("film.exr"));
+}
+
+TEST_F(InputTest, TheHostTakesNoDriver) {
+    std::string missing = path("missing.json").string();
+    for (const char* device : {"host", "Host-Double"})
+        for (const char* command : {"render", "verify"}) {
+            Launch launch{.arguments = {command, "planet.pbrt", "--device", device}};
+            launch.environment = {"VK_DRIVER_FILES=" + missing, "VK_ICD_FILENAMES=" + missing, "VK_ADD_DRIVER_FILES="};
+            Outcome outcome = run(launch);
+            EXPECT_EQ(outcome.code, 0) << command << ' ' << device << outcome.out << outcome.err;
+        }
+    EXPECT_TRUE(exists("film.exr"));
+    expectFailure(run({"verify", "planet.pbrt", "--device", "host", "--validation"}), 2, "--validation");
 }
 
 }  // namespace

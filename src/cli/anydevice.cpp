@@ -1,0 +1,66 @@
+#include "cli/anydevice.h"
+
+#include "base/error.h"
+#include "render/pass.h"
+#include "render/renderer.h"
+
+namespace dsphere::cli {
+
+namespace {
+
+std::string compilerText() {
+#ifdef __clang__
+    return fmt::format("clang {}", __clang_version__);
+#else
+    return fmt::format("GCC {}", __VERSION__);
+#endif
+}
+
+gpu::DeviceInfo hostInfo(host::Precision precision) {
+    gpu::DeviceInfo info;
+    info.name = hostName(precision);
+    info.type = "host";
+    info.driver = fmt::format("dsphere {} ({})", DSPHERE_VERSION, compilerText());
+    info.usable = true;
+    return info;
+}
+
+}  // namespace
+
+const char* hostName(host::Precision precision) {
+    return precision == host::Precision::Float ? "host" : "host-double";
+}
+
+AnyDevice::AnyDevice(const CommonOptions& options) {
+    for (const host::Precision precision : {host::Precision::Float, host::Precision::Double}) {
+        if (CLI::detail::to_lower(options.device) != hostName(precision)) continue;
+        if (options.validation)
+            throw Error(ExitCode::Usage,
+                        fmt::format("--validation is of Vulkan devices, not of {}", hostName(precision)));
+        precision_ = precision;
+        host_info_ = hostInfo(precision);
+        return;
+    }
+    try {
+        device_.emplace(gpu::DeviceOptions{.selector = options.device, .validation = options.validation});
+    } catch (const Error& error) {
+        if (error.code() != ExitCode::NoDevice) throw;
+        throw Error(ExitCode::NoDevice, fmt::format("{}\n--device host does without Vulkan, on the CPU", error.what()));
+    }
+}
+
+std::future<void> AnyDevice::warmAhead(const SceneTraits& traits, const MarchMethod& method, std::uint32_t mask) {
+    return device_ ? dsphere::warmAhead(*device_, traits, method, mask) : std::future<void>();
+}
+
+std::unique_ptr<SceneRenderer> AnyDevice::makeRenderer(const PackedScene& packed, const Scene& scene,
+                                                       const MarchMethod& method) {
+    if (device_) return std::make_unique<Renderer>(*device_, packed, scene, method);
+    return std::make_unique<host::HostRenderer>(packed, scene, method, precision_);
+}
+
+void AnyDevice::checkValidation() const {
+    if (device_) cli::checkValidation(*device_);
+}
+
+}  // namespace dsphere::cli

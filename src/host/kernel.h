@@ -1,0 +1,39 @@
+#pragma once
+
+// The shaders' kernel compiled as C++ (kernel.cpp), once for each shader variant and precision.
+
+#include "host/hostscene.h"
+#include "render/specialization.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace dsphere::host {
+
+/// `real` of the kernel.
+enum class Precision { Float, Double };
+
+/// A film as the device has it: planes of 32-bit words, in layers.
+struct HostFilm {
+    int width = 0, height = 0;
+    std::vector<std::uint32_t> words;
+
+    std::uint32_t& at(int x, int y, int layer) {
+        return words[(std::size_t(layer) * std::size_t(height) + std::size_t(y)) * std::size_t(width) + std::size_t(x)];
+    }
+};
+
+/// Fills the planes of a tile's pixels; tiles that share no pixel may be filled at once. A variant of MARCH_FILTER
+/// leaves pixels in `retry`, which one of MARCH_FULL takes; that takes nothing of the tile but the sample. Returned:
+/// how many.
+using FillTile = void (*)(const HostScene& scene, const Specialization& specialization,
+                          const layout::RenderParams& tile, HostFilm& film, std::vector<layout::RetryPixel>& retry);
+
+/// What fills a scene's pictures: `first`, then `full` (null: there is none) what it left.
+struct Kernels {
+    FillTile first = nullptr, full = nullptr;
+};
+
+Kernels kernelsFor(const SceneTraits& traits, const MarchMethod& method, Precision precision);
+
+}  // namespace dsphere::host

@@ -1,0 +1,54 @@
+#include "host/kernel.h"
+
+namespace dsphere::host {
+
+// fill_MARCH_VARIANT_REAL: see CMakeLists.txt.
+#define DECLARE(name)                                                                                         \
+    void name(const HostScene& scene, const Specialization& specialization, const layout::RenderParams& tile, \
+              HostFilm& film, std::vector<layout::RetryPixel>& retry);
+#define DECLARE_VARIANTS(march)           \
+    DECLARE(fill_##march##_lean_float)    \
+    DECLARE(fill_##march##_curved_float)  \
+    DECLARE(fill_##march##_paths_float)   \
+    DECLARE(fill_##march##_lean_double)   \
+    DECLARE(fill_##march##_curved_double) \
+    DECLARE(fill_##march##_paths_double)
+DECLARE_VARIANTS(filter)
+DECLARE_VARIANTS(full)
+DECLARE_VARIANTS(baseline)
+
+namespace {
+
+/// One way to march: the leanest variant that knows the scene, as on a device.
+struct Variants {
+    FillTile lean, curved, paths;
+
+    FillTile of(const SceneTraits& traits) const {
+        return traits.needsPaths() ? paths : (traits.curved() ? curved : lean);
+    }
+};
+
+struct March {
+    Variants floats, doubles;
+
+    FillTile of(const SceneTraits& traits, Precision precision) const {
+        return (precision == Precision::Float ? floats : doubles).of(traits);
+    }
+};
+
+#define MARCH(march)                                                                              \
+    {                                                                                             \
+        {fill_##march##_lean_float, fill_##march##_curved_float, fill_##march##_paths_float}, {   \
+            fill_##march##_lean_double, fill_##march##_curved_double, fill_##march##_paths_double \
+        }                                                                                         \
+    }
+constexpr March kFilter = MARCH(filter), kFull = MARCH(full), kBaseline = MARCH(baseline);
+
+}  // namespace
+
+Kernels kernelsFor(const SceneTraits& traits, const MarchMethod& method, Precision precision) {
+    if (method.marcher != Marcher::Exact) return {kBaseline.of(traits, precision), nullptr};
+    return {kFilter.of(traits, precision), kFull.of(traits, precision)};
+}
+
+}  // namespace dsphere::host

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "base/image.h"
+#include "render/planes.h"
+#include "render/samplesums.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <functional>
+
+namespace dsphere {
+
+struct RenderStats {
+    double device_seconds = 0.0;  ///< of all dispatches, pipelines warm
+    double wall_seconds = 0.0;    ///< of the same on the host's clock, submissions and waits included
+    std::uint64_t camera_rays = 0;
+    std::uint64_t retried_pixels = 0;  ///< samples of pixels that single floats could not decide, or were spared
+};
+
+/// Called with the share of the work that is done, 0 to 1; false stops the render.
+using Progress = std::function<bool(double)>;
+
+/// Renders pictures of one packed scene: on a Vulkan device (Renderer) or on the host (host/hostrenderer.h).
+class SceneRenderer {
+  public:
+    virtual ~SceneRenderer() = default;
+
+    /// Takes the camera and film of `scene`; packCamera has given them to the packed scene before.
+    virtual void setCamera(const Scene& scene) = 0;
+    /// Takes what packLook or, `reliefs`, a new packing of the same maps has made of the packed scene.
+    virtual void update(bool reliefs) = 0;
+
+    /// The sums of samples 0 to `to` - 1, of which `start` has some (fewer) already, from this renderer's crop. When
+    /// stopped the sample in progress is completed, and the sums are of fewer than `to`. The same sums whatever
+    /// `start`. `planes`: kColourPlanes, and kAlphaPlane if wanted; `start` has channels of both or is empty.
+    virtual SampleSums renderSums(SampleSums start, int to, std::uint32_t seed, const Progress& progress,
+                                  std::uint32_t planes = kColourPlanes) = 0;
+    /// The planes of `mask` for the ray through each pixel's centre; kColourPlanes among them are that ray's colour.
+    virtual Image renderPlanes(std::uint32_t mask, const Progress& progress) = 0;
+
+    virtual const RenderStats& stats() const = 0;
+    virtual std::uint64_t mapBytes() const = 0;    ///< of heights, bounds and edge tables, where it renders
+    virtual std::uint64_t imageBytes() const = 0;  ///< of colour images
+};
+
+}  // namespace dsphere
