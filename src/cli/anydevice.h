@@ -16,6 +16,7 @@ class AnyDevice {
     /// Error (NoDevice) when there is no such Vulkan device; it names the host.
     explicit AnyDevice(const CommonOptions& options);
 
+    bool isVulkan() const { return device_.has_value(); }
     const gpu::DeviceInfo& info() const { return device_ ? device_->info() : host_info_; }
     /// Has a Vulkan device's driver compile, as dsphere::warmAhead(); nothing of the host, without a state.
     std::future<void> warmAhead(const SceneTraits& traits, const MarchMethod& method, std::uint32_t mask);

@@ -51,6 +51,7 @@ void addBench(CLI::App& app, Action& action);
 void addVerify(CLI::App& app, Action& action);
 void addQuery(CLI::App& app, Action& action);
 void addBake(CLI::App& app, Action& action);
+void addSelftest(CLI::App& app, Action& action);
 void addDevices(CLI::App& app, Action& action);
 void addDiff(CLI::App& app, Action& action);
 void addInfo(CLI::App& app, Action& action);

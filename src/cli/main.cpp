@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
     addView(app, action);
     addRender(app, action);
     addVerify(app, action);
+    addSelftest(app, action);
     addQuery(app, action);
     addBake(app, action);
     addBench(app, action);

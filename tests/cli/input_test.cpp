@@ -113,5 +113,12 @@ TEST_F(InputTest, TheHostTakesNoDriver) {
     expectFailure(run({"verify", "planet.pbrt", "--device", "host", "--validation"}), 2, "--validation");
 }
 
+TEST_F(InputTest, SelftestNamesEveryScene) {
+    const Outcome outcome = run({"selftest", "--device", "host"});
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    EXPECT_TRUE(holds(outcome.out, "images, mirror and panel"));
+    EXPECT_TRUE(holds(outcome.out, "All 9 scenes hold."));
+}
+
 }  // namespace
 }  // namespace dsphere::test

@@ -47,7 +47,7 @@ class HostTest : public WorldTest {
         std::vector<World> all;
         all.push_back(world(planet()));
         all.push_back(world(planet("\"float maxdispl\" 20 \"string filter\" \"bspline\"")));
-        all.push_back(world(planet("\"float maxdispl\" 10 \"string normals\" \"smooth\"") +
+        all.push_back(world(planet("\"float maxdispl\" 10 \"bool smoothnormals\" true") +
                             "Translate 1.2 0 .5 Shape \"sphere\" \"float radius\" .4\n"));
         all.push_back(world(kEverything, kPaths));
         return all;

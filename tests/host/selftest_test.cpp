@@ -1,0 +1,78 @@
+// The test scenes hold on the host, and a fault is laid to the first step that has it.
+
+#include "verify/selftest.h"
+#include "host/hostrenderer.h"
+
+#include <gtest/gtest.h>
+
+namespace dsphere::test {
+namespace {
+
+using host::HostRenderer;
+using host::Precision;
+using verify::Candidate;
+using verify::Step;
+
+/// A renderer whose pictures have one normal in ten turned round.
+class Spoilt final : public SceneRenderer {
+  public:
+    explicit Spoilt(std::unique_ptr<SceneRenderer> renderer) : renderer_(std::move(renderer)) {}
+
+    SampleSums renderSums(SampleSums start, int to, std::uint32_t seed, const Progress& progress,
+                          std::uint32_t planes) override {
+        return renderer_->renderSums(std::move(start), to, seed, progress, planes);
+    }
+    Image renderPlanes(std::uint32_t mask, const Progress& progress) override {
+        Image image = renderer_->renderPlanes(mask, progress);
+        for (Channel& channel : image.channels)
+            if (channel.name.starts_with("N."))
+                for (std::size_t i = 0; i < channel.floats().size(); i += 10)
+                    channel.floats()[i] = -channel.floats()[i];
+        return image;
+    }
+    const RenderStats& stats() const override { return renderer_->stats(); }
+    std::uint64_t mapBytes() const override { return renderer_->mapBytes(); }
+    std::uint64_t imageBytes() const override { return renderer_->imageBytes(); }
+
+  private:
+    std::unique_ptr<SceneRenderer> renderer_;
+};
+
+Candidate candidate(const char* name, Precision precision, bool spoilt) {
+    return {name, [=](const PackedScene& packed, const Scene& scene) -> std::unique_ptr<SceneRenderer> {
+                auto renderer = std::make_unique<HostRenderer>(packed, scene, Marcher::Exact, precision);
+                if (spoilt) return std::make_unique<Spoilt>(std::move(renderer));
+                return renderer;
+            }};
+}
+
+verify::SelftestRow rowOf(int scene, bool spoil_double, bool spoil_float, bool spoil_device) {
+    const Candidate device = candidate("device", Precision::Float, spoil_device);
+    return verify::selftestScene(scene, candidate("double", Precision::Double, spoil_double),
+                                 candidate("float", Precision::Float, spoil_float), &device);
+}
+
+TEST(SelftestTest, EveryTestSceneHolds) {
+    for (int i = 0; i < verify::testSceneCount(); ++i) {
+        const verify::SelftestRow row = rowOf(i, false, false, false);
+        EXPECT_EQ(row.step, Step::None) << row.scene;
+        ASSERT_EQ(row.results.size(), 3u);
+        for (const verify::SceneResult& result : row.results) {
+            EXPECT_GT(result.report.hits, 1000u) << row.scene;
+            EXPECT_TRUE(result.faults.empty()) << row.scene << ", " << result.device << ": " << result.faults.front();
+        }
+    }
+}
+
+TEST(SelftestTest, NamesTheFirstStepThatFails) {
+    EXPECT_EQ(rowOf(0, true, true, true).step, Step::Algorithm);
+    EXPECT_EQ(rowOf(0, false, true, true).step, Step::Precision);
+    const verify::SelftestRow row = rowOf(0, false, false, true);
+    EXPECT_EQ(row.step, Step::Driver);
+    EXPECT_TRUE(row.results[1].faults.empty());
+    ASSERT_EQ(row.results[2].faults.size(), 2u);  // against the contract, and against the step before
+    EXPECT_NE(row.results[2].faults[1].find("normal N differs from float in "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace dsphere::test
