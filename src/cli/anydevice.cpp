@@ -27,26 +27,14 @@ gpu::DeviceInfo hostInfo(host::Precision precision) {
 
 }  // namespace
 
-const char* hostName(host::Precision precision) {
-    return precision == host::Precision::Float ? "host" : "host-double";
-}
-
 AnyDevice::AnyDevice(const CommonOptions& options) {
-    for (const host::Precision precision : {host::Precision::Float, host::Precision::Double}) {
-        if (CLI::detail::to_lower(options.device) != hostName(precision)) continue;
-        if (options.validation)
-            throw Error(ExitCode::Usage,
-                        fmt::format("--validation is of Vulkan devices, not of {}", hostName(precision)));
-        precision_ = precision;
-        host_info_ = hostInfo(precision);
+    if (const auto precision = hostPrecision(options.device)) {
+        if (options.validation) throwUsage("--validation is of Vulkan devices, not of {}", hostName(*precision));
+        precision_ = *precision;
+        host_info_ = hostInfo(precision_);
         return;
     }
-    try {
-        device_.emplace(gpu::DeviceOptions{.selector = options.device, .validation = options.validation});
-    } catch (const Error& error) {
-        if (error.code() != ExitCode::NoDevice) throw;
-        throw Error(ExitCode::NoDevice, fmt::format("{}\n--device host does without Vulkan, on the CPU", error.what()));
-    }
+    namingTheHost([&] { device_.emplace(gpu::DeviceOptions{options.device, options.validation}); });
 }
 
 std::future<void> AnyDevice::warmAhead(const SceneTraits& traits, const MarchMethod& method, std::uint32_t mask) {

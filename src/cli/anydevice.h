@@ -32,7 +32,4 @@ class AnyDevice {
     std::optional<gpu::Device> device_;  ///< empty: the host
 };
 
-/// The host's name as a device: `host` or `host-double`.
-const char* hostName(host::Precision precision);
-
 }  // namespace dsphere::cli

@@ -6,12 +6,13 @@
 
 namespace dsphere::cli {
 
-void addCommonOptions(CLI::App& command, CommonOptions& options) {
+void addCommonOptions(CLI::App& command, CommonOptions& options, Devices devices) {
+    const bool host = devices == Devices::AndHost;
     command
         .add_option("--device", options.device,
-                    "Vulkan device: its index, a part of its name, or cpu; render and verify also know host and "
-                    "host-double: the shaders compiled for the CPU, in float or double, without Vulkan")
-        ->type_name("INDEX|NAME|cpu|host|host-double");
+                    std::string("Vulkan device: its index, a part of its name, or cpu") +
+                        (host ? "; or the CPU without Vulkan: host, or in double precision host-double" : ""))
+        ->type_name(host ? "INDEX|NAME|cpu|host|host-double" : "INDEX|NAME|cpu");
     command.add_flag("--validation", options.validation, "Run under the Vulkan validation layers; any message fails");
     command.add_flag("--json", options.json, "Print the result as JSON on standard output");
     command.add_flag("--quiet", options.quiet, "Print errors only");
@@ -26,8 +27,26 @@ void addProgressOption(CLI::App& command, ProgressMode& progress) {
         "Progress line: on a terminal (auto, the default), always or never", "auto|always|never");
 }
 
+const char* hostName(host::Precision precision) {
+    return precision == host::Precision::Float ? "host" : "host-double";
+}
+
+std::optional<host::Precision> hostPrecision(const std::string& device) {
+    for (const host::Precision precision : {host::Precision::Float, host::Precision::Double})
+        if (CLI::detail::to_lower(device) == hostName(precision)) return precision;
+    return {};
+}
+
+void requireVulkan(const std::string& device) {
+    if (hostPrecision(device))
+        throwUsage("--device {}: this command needs a Vulkan device; render, verify and selftest know the host",
+                   device);
+}
+
 gpu::Device openDevice(const CommonOptions& options, bool caches) {
-    return gpu::Device({.selector = options.device, .validation = options.validation, .caches = caches});
+    requireVulkan(options.device);
+    return namingTheHost(
+        [&] { return gpu::Device({.selector = options.device, .validation = options.validation, .caches = caches}); });
 }
 
 void checkValidation(const gpu::Device& device) {

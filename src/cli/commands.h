@@ -1,7 +1,9 @@
 #pragma once
 
+#include "base/error.h"
 #include "cli/terminal.h"
 #include "gpu/device.h"
+#include "host/precision.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -9,6 +11,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace dsphere::cli {
@@ -23,7 +26,10 @@ struct CommonOptions {
 /// Set by the subcommand that the command line names; returns the exit code.
 using Action = std::function<int()>;
 
-void addCommonOptions(CLI::App& command, CommonOptions& options);
+/// The devices that a command knows: Vulkan's alone, or the host as well.
+enum class Devices { Vulkan, AndHost };
+
+void addCommonOptions(CLI::App& command, CommonOptions& options, Devices devices = Devices::Vulkan);
 void addProgressOption(CLI::App& command, ProgressMode& progress);
 
 /// An option that takes one of a few words, in any case; the help shows them as `words`.
@@ -39,7 +45,26 @@ CLI::Option* addChoice(CLI::App& command, const std::string& name, T& value, con
     return command.add_option_function<std::string>(name, choose, help)->type_name(words);
 }
 
-/// The device that the options ask for.
+/// The host's name as a device: `host` or `host-double`.
+const char* hostName(host::Precision precision);
+/// Of `host` and `host-double` in any case; empty for other devices.
+std::optional<host::Precision> hostPrecision(const std::string& device);
+/// Error (Usage) when a command of Vulkan devices alone is given the host.
+void requireVulkan(const std::string& device);
+/// Returns what `open` does; its Error (NoDevice) names the host too.
+template <typename Open>
+auto namingTheHost(Open open) {
+    try {
+        return open();
+    } catch (const Error& error) {
+        if (error.code() != ExitCode::NoDevice) throw;
+        throw Error(
+            ExitCode::NoDevice,
+            fmt::format("{}\nrender, verify and selftest do without Vulkan, on the CPU: --device host", error.what()));
+    }
+}
+
+/// The Vulkan device that the options ask for.
 gpu::Device openDevice(const CommonOptions& options, bool caches = true);
 
 /// Throws Error (Failure) with the messages if the validation layers had any.

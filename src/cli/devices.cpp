@@ -9,7 +9,7 @@ namespace dsphere::cli {
 namespace {
 
 int runDevices(bool json) {
-    std::vector<gpu::DeviceInfo> devices = gpu::listDevices();
+    std::vector<gpu::DeviceInfo> devices = namingTheHost(gpu::listDevices);
     if (json) {
         nlohmann::ordered_json list = nlohmann::ordered_json::array();
         for (const auto& device : devices)

@@ -390,7 +390,7 @@ void addRender(CLI::App& app, Action& action) {
         ->type_name("FILE.exr");
     addDetail(*command, options->detail);
     addFrameOptions(*command, options->frames);
-    addCommonOptions(*command, options->common);
+    addCommonOptions(*command, options->common, Devices::AndHost);
     command->callback([options, &action] { action = [options] { return runRender(*options); }; });
 }
 

@@ -93,7 +93,7 @@ void addSelftest(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand(
         "selftest", "Render and verify small scenes on a device and on the host; name the step of each fault");
     auto options = std::make_shared<CommonOptions>();
-    addCommonOptions(*command, *options);
+    addCommonOptions(*command, *options, Devices::AndHost);
     command->callback([options, &action] { action = [options] { return runSelftest(*options); }; });
 }
 

@@ -118,7 +118,7 @@ void addVerify(CLI::App& app, Action& action) {
                      "Where a failure leaves its pictures: NAME-device.exr, -reference.exr, -difference.exr")
         ->type_name("NAME")
         ->capture_default_str();
-    addCommonOptions(*command, options->common);
+    addCommonOptions(*command, options->common, Devices::AndHost);
     command->callback([options, &action] { action = [options] { return runVerify(*options); }; });
 }
 

@@ -18,6 +18,7 @@ struct ViewOptions {
 };
 
 int runView(const ViewOptions& options) {
+    requireVulkan(options.viewer.device);
     if (options.scene.scene == "-")
         throw Error(ExitCode::Usage, "view: a scene from standard input cannot be watched; name a file");
     if (options.scene.samples && (*options.scene.samples < 1 || *options.scene.samples > 65536))
@@ -42,7 +43,7 @@ int runView(const ViewOptions& options) {
         return opened;
     };
     viewer.interrupted = [] { return caughtSignal() != 0; };
-    viewer::runViewer(viewer);
+    namingTheHost([&] { viewer::runViewer(viewer); });
     if (caughtSignal()) throw Error(ExitCode::Interrupted, "interrupted");
     return int(ExitCode::Ok);
 }

@@ -16,7 +16,8 @@ class HostScene {
     /// The packed scene must outlive it.
     explicit HostScene(const PackedScene& packed);
 
-    /// Takes what has changed in the packed scene: camera, lights, materials, reliefs; the maps and images are as before.
+    /// Takes what has changed in the packed scene: camera, lights, materials, reliefs; the maps and images are as
+    /// before.
     void update();
 
     std::vector<layout::ObjectData> objects;      ///< MAX_OBJECTS

@@ -1,5 +1,6 @@
-// One shader variant at one precision. The build compiles this file once for each, with HOST_REAL, HOST_FILL (the name
-// of the function that it defines) and the macros of the shader variant: WITH_CURVED, WITH_PATHS, MARCH_WITH.
+// One shader variant at one precision. The build compiles this file once for each, with HOST_REAL, the names of the
+// functions that it defines (HOST_FILL, and HOST_PROBE where it has one) and the macros of the shader variant:
+// WITH_CURVED, WITH_PATHS, MARCH_WITH.
 
 #include "host/kernel.h"
 
@@ -162,6 +163,9 @@ struct Invocation {
 #include "shaders/marcher.glsl"
 
 #include "shaders/kernel.glsl"
+#ifdef HOST_PROBE
+#include "shaders/probe.glsl"
+#endif
 
     void runGroup(const uint x, const uint y) {
         gl_WorkGroupID = uvec3(x, y, 0u);
@@ -195,5 +199,17 @@ void HOST_FILL(const HostScene& scene, const Specialization& specialization, con
     list.resize(invocation.retry.count);
 #endif
 }
+
+#ifdef HOST_PROBE
+void HOST_PROBE(const HostScene& scene, const Specialization& specialization, std::span<const ProbeRay> rays,
+                std::span<ProbeHit> hits) {
+    const RenderParams no_tile = {};
+    HostFilm no_film;
+    std::vector<RetryPixel> no_list;
+    Invocation invocation(scene, specialization, no_tile, no_film, no_list);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        hits[i] = invocation.probeObject(scene.objects[0], scene.maps[0], rays[i]);
+}
+#endif
 
 }  // namespace dsphere::host

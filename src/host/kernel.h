@@ -3,15 +3,14 @@
 // The shaders' kernel compiled as C++ (kernel.cpp), once for each shader variant and precision.
 
 #include "host/hostscene.h"
+#include "host/precision.h"
 #include "render/specialization.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace dsphere::host {
-
-/// `real` of the kernel.
-enum class Precision { Float, Double };
 
 /// A film as the device has it: planes of 32-bit words, in layers.
 struct HostFilm {
@@ -34,6 +33,11 @@ struct Kernels {
     FillTile first = nullptr, full = nullptr;
 };
 
+/// Traces rays against object 0, each into the hit of its place.
+using ProbeRays = void (*)(const HostScene& scene, const Specialization& specialization,
+                           std::span<const layout::ProbeRay> rays, std::span<layout::ProbeHit> hits);
+
+ProbeRays probeFor(const SceneTraits& traits, Precision precision);
 Kernels kernelsFor(const SceneTraits& traits, const MarchMethod& method, Precision precision);
 
 }  // namespace dsphere::host

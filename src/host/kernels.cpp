@@ -17,6 +17,15 @@ DECLARE_VARIANTS(filter)
 DECLARE_VARIANTS(full)
 DECLARE_VARIANTS(baseline)
 
+// probe_VARIANT_REAL.
+#define DECLARE_PROBE(name)                                                                                         \
+    void name(const HostScene& scene, const Specialization& specialization, std::span<const layout::ProbeRay> rays, \
+              std::span<layout::ProbeHit> hits);
+DECLARE_PROBE(probe_lean_float)
+DECLARE_PROBE(probe_curved_float)
+DECLARE_PROBE(probe_lean_double)
+DECLARE_PROBE(probe_curved_double)
+
 namespace {
 
 /// One way to march: the leanest variant that knows the scene, as on a device.
@@ -45,6 +54,11 @@ struct March {
 constexpr March kFilter = MARCH(filter), kFull = MARCH(full), kBaseline = MARCH(baseline);
 
 }  // namespace
+
+ProbeRays probeFor(const SceneTraits& traits, Precision precision) {
+    if (precision == Precision::Float) return traits.curved() ? probe_curved_float : probe_lean_float;
+    return traits.curved() ? probe_curved_double : probe_lean_double;
+}
 
 Kernels kernelsFor(const SceneTraits& traits, const MarchMethod& method, Precision precision) {
     if (method.marcher != Marcher::Exact) return {kBaseline.of(traits, precision), nullptr};

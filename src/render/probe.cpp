@@ -13,8 +13,9 @@ namespace {
 
 using Spirv = std::span<const std::uint32_t>;
 
-// The point nearest the centre, as a difference of large numbers far away, is made here in double.
-layout::ProbeRay narrowRay(const ProbeQuery& query) {
+}  // namespace
+
+layout::ProbeRay packProbe(const ProbeQuery& query) {
     double size = glm::length(query.direction);
     dvec3 d = size > 0.0 ? query.direction / size : query.direction;
     dvec3 point = glm::cross(d, glm::cross(query.origin, d));
@@ -27,8 +28,6 @@ layout::ProbeRay narrowRay(const ProbeQuery& query) {
     return ray;
 }
 
-}  // namespace
-
 Probe::Probe(gpu::Device& device, const PackedScene& packed)
     : device_(device),
       device_scene_(device, packed),
@@ -38,7 +37,7 @@ Probe::Probe(gpu::Device& device, const PackedScene& packed)
 
 std::vector<layout::ProbeHit> Probe::trace(const std::vector<ProbeQuery>& queries) {
     std::vector<layout::ProbeRay> rays;
-    for (const ProbeQuery& query : queries) rays.push_back(narrowRay(query));
+    for (const ProbeQuery& query : queries) rays.push_back(packProbe(query));
     std::vector<layout::ProbeHit> hits(queries.size());
     if (queries.empty()) return hits;
     using gpu::Buffer;

@@ -18,11 +18,9 @@ bool finite(const layout::ProbeHit& hit) {
 
 }  // namespace
 
-Report verifyRays(gpu::Device& device, const Scene& scene, const SceneMaps& maps,
-                  const std::vector<ProbeQuery>& queries) {
+Report verifyRays(RayProbe& probe, const Scene& scene, const SceneMaps& maps, const std::vector<ProbeQuery>& queries) {
     assert(scene.shapes[0].world_from_object == dmat4(1.0));
-    PackedScene packed = packScene(scene, maps);
-    std::vector<layout::ProbeHit> hits = Probe(device, packed).trace(queries);
+    std::vector<layout::ProbeHit> hits = probe.trace(queries);
     Comparison comparison(scene, maps);
     double unit = comparison.unit(0);
     Report total;

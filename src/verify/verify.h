@@ -32,7 +32,6 @@ Image referenceImage(const Scene& scene, const SceneMaps& maps, const Progress& 
 
 /// Traces rays against the scene's first shape, a displaced sphere whose object space is the world, and holds the
 /// answers against the reference. A ray's own direction must be finite and not zero.
-Report verifyRays(gpu::Device& device, const Scene& scene, const SceneMaps& maps,
-                  const std::vector<ProbeQuery>& queries);
+Report verifyRays(RayProbe& probe, const Scene& scene, const SceneMaps& maps, const std::vector<ProbeQuery>& queries);
 
 }  // namespace dsphere::verify

@@ -45,6 +45,26 @@ TEST_F(FramesTest, EqualThePicturesOfAProcessEach) {
     EXPECT_NE(bytes("f03.png"), bytes("f04.png"));
 }
 
+TEST_F(FramesTest, EqualThePicturesOfAProcessEachOnTheHost) {
+    folder_.write("fly.csv",
+                  "frame,eye_x,eye_y,eye_z,sun_lon,sun_lat,exaggeration\n"
+                  "0,0,0,4,80,5,1\n"
+                  "2,1,1,3,100,10,2\n");
+    const Words on_host = {"--device", "host", "--path", "fly.csv"};
+    const auto withFrames = [&](const std::string& numbers, const std::string& name) {
+        Words options = on_host;
+        options.insert(options.end(), {"--frames", numbers, "-o", name});
+        render(options);
+    };
+    withFrames("0-2", "f%d.png");
+    for (const char* k : {"0", "1", "2"}) {
+        withFrames(k, "one%d.png");
+        EXPECT_EQ(bytes(std::string("one") + k + ".png"), bytes(std::string("f") + k + ".png")) << k;
+    }
+    EXPECT_NE(bytes("f0.png"), bytes("f1.png"));
+    EXPECT_NE(bytes("f1.png"), bytes("f2.png"));
+}
+
 TEST_F(FramesTest, EqualThePictureOfASceneThatSaysTheSame) {
     folder_.write("fly.csv", "frame,eye_x,eye_y,eye_z,exaggeration\n3,0,0,4,1\n5,1,1,3,1.5\n");
     render({"--path", "fly.csv", "--frames", "3-5:2", "-o", "f%d.exr", "--aov", "all"});

@@ -93,9 +93,7 @@ TEST_F(InputTest, DriverThatIsMissing) {
         EXPECT_EQ(outcome.code, 4) << outcome.err;
         EXPECT_EQ(outcome.out, "");
         EXPECT_TRUE(holds(outcome.err, "no Vulkan device"));
-        if (launch.arguments[0] == "render") {
-            EXPECT_TRUE(holds(outcome.err, "--device host"));
-        }
+        EXPECT_TRUE(holds(outcome.err, "--device host"));
     }
     EXPECT_FALSE(exists("film.exr"));
 }
@@ -111,6 +109,8 @@ TEST_F(InputTest, TheHostTakesNoDriver) {
         }
     EXPECT_TRUE(exists("film.exr"));
     expectFailure(run({"verify", "planet.pbrt", "--device", "host", "--validation"}), 2, "--validation");
+    expectFailure(run({"bake", "planet.pbrt", "-o", "slope.exr", "--quantities", "slope", "--device", "host"}), 2,
+                  "needs a Vulkan device");
 }
 
 TEST_F(InputTest, SelftestNamesEveryScene) {

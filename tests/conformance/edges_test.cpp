@@ -118,7 +118,7 @@ TEST_P(Edges, NormalsAreThoseOfAPatchThatMeets) {
         rays_.push_back(aim(lattice_.above(p), p));
     }
     PackedScene packed = packScene(world_.scene, world_.maps);
-    std::vector<layout::ProbeHit> hits = Probe(device(), packed).trace(rays_);
+    std::vector<layout::ProbeHit> hits = makeProbe(packed)->trace(rays_);
     std::size_t right = 0, found = 0;
     for (const layout::ProbeHit& hit : hits) {
         if ((hit.flags & 1u) == 0) continue;

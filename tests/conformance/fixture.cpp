@@ -1,11 +1,15 @@
 #include "tests/conformance/fixture.h"
 
 #include "gpu/device.h"
+#include "host/hostprobe.h"
+#include "host/hostrenderer.h"
+#include "render/renderer.h"
 #include "tests/support/keepdriver.h"
 #include "tests/support/tempfolder.h"
 #include "tests/support/testdevice.h"
 
 #include <cstdlib>
+#include <optional>
 
 namespace dsphere::conformance {
 
@@ -23,6 +27,12 @@ struct OwnDevice {
     }
 };
 
+std::optional<host::Precision> hostPrecision() {
+    if (test::testDevice() == "host") return host::Precision::Float;
+    if (test::testDevice() == "host-double") return host::Precision::Double;
+    return {};
+}
+
 std::string describe(const verify::Report& report) {
     std::string text = "\n" + report.table();
     for (const verify::Fault& fault : report.faults)
@@ -32,23 +42,49 @@ std::string describe(const verify::Report& report) {
 
 }  // namespace
 
+bool onHost() {
+    return hostPrecision().has_value();
+}
+
 gpu::Device& device() {
     static OwnDevice own;
     return own.device;
 }
 
+std::unique_ptr<RayProbe> makeProbe(const PackedScene& packed) {
+    if (const auto precision = hostPrecision()) return std::make_unique<host::HostProbe>(packed, *precision);
+    return std::make_unique<Probe>(device(), packed);
+}
+
+std::unique_ptr<SceneRenderer> makeRenderer(const PackedScene& packed, const Scene& scene) {
+    if (const auto precision = hostPrecision())
+        return std::make_unique<host::HostRenderer>(packed, scene, Marcher::Exact, *precision);
+    return std::make_unique<Renderer>(device(), packed, scene, Marcher::Exact);
+}
+
+Image renderColour(SceneRenderer& renderer, int samples, std::uint32_t seed) {
+    return pictureOf(renderer.renderSums({}, samples, seed, {}));
+}
+
 void Conformance::TearDown() {
+    if (onHost()) return;
     for (const std::string& message : device().validationMessages()) ADD_FAILURE() << message;
 }
 
 verify::Report probe(const World& world, const Queries& queries) {
-    verify::Report report = verify::verifyRays(device(), world.scene, world.maps, queries);
+    const PackedScene packed = packScene(world.scene, world.maps);
+    verify::Report report = verify::verifyRays(*makeProbe(packed), world.scene, world.maps, queries);
     EXPECT_GE(report.rays, kLeastRays);
     return report;
 }
 
+verify::Outcome smallPicture(const World& world) {
+    const PackedScene packed = packScene(world.scene, world.maps);
+    return verify::verifyScene(*makeRenderer(packed, world.scene), world.scene, world.maps, 0, {});
+}
+
 verify::Outcome picture(const World& world) {
-    verify::Outcome outcome = verify::verifyScene(device(), world.scene, world.maps, {}, {});
+    verify::Outcome outcome = smallPicture(world);
     EXPECT_GE(outcome.report.rays, kLeastRays);
     return outcome;
 }

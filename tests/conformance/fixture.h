@@ -11,8 +11,17 @@ namespace dsphere::conformance {
 /// The least number of rays that a case traces.
 inline const std::uint64_t kLeastRays = std::uint64_t(kRays) * 5 / 6;
 
-/// The machine's CPU device under validation, one a program, with a pipeline cache of its own.
+// The environment's DSPHERE_TEST_DEVICE names the device of all cases as --device does, host and host-double included;
+// unset: the machine's CPU by Vulkan.
+
+/// Whether that is the host.
+bool onHost();
+/// The Vulkan device, under validation, one a program, with a pipeline cache of its own. Not on the host.
 gpu::Device& device();
+std::unique_ptr<RayProbe> makeProbe(const PackedScene& packed);
+std::unique_ptr<SceneRenderer> makeRenderer(const PackedScene& packed, const Scene& scene);
+/// The mean of `samples` samples a pixel.
+Image renderColour(SceneRenderer& renderer, int samples, std::uint32_t seed);
 
 /// A case fails on any validation message.
 class Conformance : public testing::Test {
@@ -23,6 +32,8 @@ class Conformance : public testing::Test {
 /// Runs the first shape, whose object space must be the world, or the whole picture. Fails on fewer than kLeastRays.
 verify::Report probe(const World& world, const Queries& queries);
 verify::Outcome picture(const World& world);
+/// As picture(), of any size.
+verify::Outcome smallPicture(const World& world);
 
 /// Nothing of the report breaks the contract; prints it if something does.
 void expectContract(const verify::Report& report);

@@ -62,7 +62,7 @@ TEST_F(Grazing, FlatSphereAgainstTheClosedForm) {
         rays.push_back(tangentRay(random, randomUnit(random), offsets.back()));
     }
     PackedScene packed = packScene(world.scene, world.maps);
-    std::vector<layout::ProbeHit> hits = Probe(device(), packed).trace(rays);
+    std::vector<layout::ProbeHit> hits = makeProbe(packed)->trace(rays);
     for (std::size_t k = 0; k < rays.size(); ++k) {
         ASSERT_EQ(hits[k].flags, offsets[k] < 0.0 ? 1u : 0u) << k << ": " << offsets[k];
         double radius = offsets[k] < 0.0 ? glm::length(dvec3(hits[k].position)) : 1.0;

@@ -31,7 +31,7 @@ class Hostile : public Conformance {
 
     std::vector<layout::ProbeHit> trace(const Queries& queries) {
         EXPECT_GE(queries.size(), kLeastRays);
-        std::vector<layout::ProbeHit> hits = Probe(device(), packed_).trace(queries);
+        std::vector<layout::ProbeHit> hits = makeProbe(packed_)->trace(queries);
         for (std::size_t k = 0; k < hits.size(); ++k) {
             for (int c = 0; c < 4; ++c)
                 EXPECT_TRUE(std::isfinite(hits[k].position[c]) && std::isfinite(hits[k].normal[c]))

@@ -92,6 +92,7 @@ Buffer filled(Buffer::Usage usage, const T (&values)[2], const char* name) {
 }
 
 TEST_F(Layout, WordsComeBackInOrder) {
+    if (onHost()) GTEST_SKIP() << "the host reads C++'s structs themselves";
     Pattern pattern;
     layout::ObjectData objects[2];
     layout::MapData maps[2];

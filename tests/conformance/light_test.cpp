@@ -113,7 +113,7 @@ TEST_F(Lighting, OfEveryMaterialUnderEveryLight) {
             world.scene.film.width = 100;
             world.scene.film.height = 75;
             light.add(world);
-            const verify::Report report = verify::verifyScene(device(), world.scene, world.maps, {}, {}).report;
+            const verify::Report report = smallPicture(world).report;
             expectContract(report);
             EXPECT_GE(report.colours, 4000u);
         }
@@ -172,8 +172,7 @@ TEST_F(Lighting, WhereAMeshComesFirst) {
 /// Means of the picture and of the reference's agree within both their errors, known to 1 %.
 void expectMeans(const World& world, int device_samples, int reference_samples) {
     const PackedScene packed = packScene(world.scene, world.maps);
-    Renderer renderer(device(), packed, world.scene, MarchMethod());
-    const Image image = renderer.renderColour(device_samples, 5, {});
+    const Image image = renderColour(*makeRenderer(packed, world.scene), device_samples, 5);
     const reference::PathTracer tracer(world.scene, world.maps);
     const reference::Estimate expected = tracer.mean(image.data, reference_samples);
     for (int c = 0; c < 3; ++c) {
@@ -278,8 +277,7 @@ TEST_F(Lighting, WhiteFurnace) {
         const double x = 200.0 * double(i);
         world.lookAt({x, 0.0, 3.0}, dvec3(x, 0.0, 0.0), dvec3(0.0, 1.0, 0.0), 36.0);
         const PackedScene packed = packScene(world.scene, world.maps);
-        Renderer renderer(device(), packed, world.scene, MarchMethod());
-        const Image image = renderer.renderColour(256, 5, {});
+        const Image image = renderColour(*makeRenderer(packed, world.scene), 256, 5);
         double sum = 0.0;
         for (float value : image.channels[0].floats()) sum += value;
         EXPECT_NEAR(sum / double(image.pixelCount()), 1.0, 0.002);
@@ -290,9 +288,9 @@ TEST_F(Lighting, DependsOnSamplesAlone) {
     World world = small(objects(all(kPlastic)), Integrator::Kind::Path, 4);
     addSky(world);
     const PackedScene packed = packScene(world.scene, world.maps);
-    Renderer renderer(device(), packed, world.scene, MarchMethod());
-    const Image first = renderer.renderColour(4, 9, {}), again = renderer.renderColour(4, 9, {});
-    const Image other = renderer.renderColour(4, 10, {});
+    const auto renderer = makeRenderer(packed, world.scene);
+    const Image first = renderColour(*renderer, 4, 9), again = renderColour(*renderer, 4, 9);
+    const Image other = renderColour(*renderer, 4, 10);
     EXPECT_EQ(first.channels[0].floats(), again.channels[0].floats());
     EXPECT_NE(first.channels[0].floats(), other.channels[0].floats());
 }

@@ -56,7 +56,7 @@ class Orientation : public Conformance {
         Scene scene = parseScene(text, "orientation", folder_.path());
         SceneMaps maps = loadSceneMaps(scene);
         PackedScene packed = packScene(scene, maps);
-        return Renderer(device(), packed, scene, Marcher::Exact).renderPlanes(kVerifyPlanes, {});
+        return makeRenderer(packed, scene)->renderPlanes(kVerifyPlanes, {});
     }
 
     static Pixel brightest(const Image& image) {

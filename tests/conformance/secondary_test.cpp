@@ -23,14 +23,14 @@ class Secondary : public Conformance, public testing::WithParamInterface<Seconda
   protected:
     World world_ = sphereWorld(GetParam().map(512, 256, 1), GetParam().percent);
     PackedScene packed_ = packScene(world_.scene, world_.maps);
-    Probe probe_{device(), packed_};
+    std::unique_ptr<RayProbe> probe_ = makeProbe(packed_);
     reference::Surface surface_{*world_.maps.maps[0], world_.maps.reliefs[0]};
     Random random_{41};
 
     /// P' of camera rays' hits, rounded to float, with directions to all sides.
     Queries starts() {
         Queries queries;
-        for (const layout::ProbeHit& hit : probe_.trace(randomRays(3 * kRays, 3.0, 0.9, 42))) {
+        for (const layout::ProbeHit& hit : probe_->trace(randomRays(3 * kRays, 3.0, 0.9, 42))) {
             if (hit.flags != 1u || int(queries.size()) == kRays) continue;
             dvec3 start(glm::vec3(dvec3(hit.position) + 1e-6 * dvec3(hit.normal)));
             queries.push_back({.origin = start, .direction = randomUnit(random_), .secondary = true});
@@ -60,7 +60,7 @@ class Secondary : public Conformance, public testing::WithParamInterface<Seconda
     }
 
     void expectVerdicts(const Queries& queries) {
-        std::vector<layout::ProbeHit> answers = probe_.trace(queries);
+        std::vector<layout::ProbeHit> answers = probe_->trace(queries);
         ASSERT_GE(queries.size(), kLeastRays);
         std::atomic<std::uint64_t> tangent = 0, hit_count = 0;
         std::atomic<std::size_t> wrong = 0, wrong_ray = 0, broken = 0;

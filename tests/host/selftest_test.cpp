@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace dsphere::test {
 namespace {
 
@@ -18,6 +20,8 @@ class Spoilt final : public SceneRenderer {
   public:
     explicit Spoilt(std::unique_ptr<SceneRenderer> renderer) : renderer_(std::move(renderer)) {}
 
+    void setCamera(const Scene& scene) override { renderer_->setCamera(scene); }
+    void update(bool reliefs) override { renderer_->update(reliefs); }
     SampleSums renderSums(SampleSums start, int to, std::uint32_t seed, const Progress& progress,
                           std::uint32_t planes) override {
         return renderer_->renderSums(std::move(start), to, seed, progress, planes);
@@ -70,8 +74,10 @@ TEST(SelftestTest, NamesTheFirstStepThatFails) {
     const verify::SelftestRow row = rowOf(0, false, false, true);
     EXPECT_EQ(row.step, Step::Driver);
     EXPECT_TRUE(row.results[1].faults.empty());
-    ASSERT_EQ(row.results[2].faults.size(), 2u);  // against the contract, and against the step before
-    EXPECT_NE(row.results[2].faults[1].find("normal N differs from float in "), std::string::npos);
+    const std::vector<std::string>& faults = row.results[2].faults;
+    EXPECT_TRUE(std::ranges::any_of(faults, [](const std::string& fault) {
+        return fault.starts_with("normal N differs from float in ");
+    })) << faults.size();
 }
 
 }  // namespace
