@@ -8,6 +8,7 @@
 #define FORWARD(declaration) declaration;  // in C++ all functions of the kernel know each other
 #define XY(v) (v).xy                       // in C++ a vector of reals, whatever `v` is made of
 #define XYZ(v) (v).xyz
+#define ROUND_AS_FILMED(v)             // in C++ reals may hold more than the film's floats: what is lit is what it holds
 
 #include "layout.h"
 

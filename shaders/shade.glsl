@@ -249,6 +249,7 @@ void considerObject(INOUT(SurfacePoint) best, const int k, const Segment segment
     int level = segmentLevel(segment, k, object, ray);
     startClear(ray, segment);  // after the level, which goes by where the ray enters the shell
     ObjectHit hit = hitObject(object, mapOf(k, kinds, level), ray, kinds);
+    ROUND_AS_FILMED(hit.p);
     best.steps += hit.steps;
     best.exhausted = best.exhausted || hit.exhausted;
     best.doubtful = best.doubtful || hit.doubtful;

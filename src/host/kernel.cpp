@@ -16,6 +16,7 @@
 #define FORWARD(declaration)
 #define XY(v) vec2(v)
 #define XYZ(v) vec3(v)
+#define ROUND_AS_FILMED(v) v = vec3(glm::tvec3<float>(v))
 #define precise
 
 namespace dsphere::host {
