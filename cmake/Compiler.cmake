@@ -35,10 +35,14 @@ function(dsphere_unity target)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ${DSPHERE_UNITY} UNITY_BUILD_BATCH_SIZE 6)
 endfunction()
 
-# dsphere_test(name sources... LINK targets... [SHARDS n]): one GoogleTest program, its cases named in ctest; with SHARDS
-# they are dealt out to n runs of it instead, where they share a device and the pipelines it has made.
+# dsphere_test(name sources... LINK targets... [LABEL label] [SHARDS n]): one GoogleTest program, its cases named in ctest
+# and labelled (default: fast). With SHARDS they are dealt out to n runs of it instead, where they share a device and the
+# pipelines that it has made; ctest then knows them by their names where DSPHERE_CASES is set in the environment.
 function(dsphere_test name)
-    cmake_parse_arguments(ARG "" "SHARDS" "LINK" ${ARGN})
+    cmake_parse_arguments(ARG "" "SHARDS;LABEL" "LINK" ${ARGN})
+    if(NOT ARG_LABEL)
+        set(ARG_LABEL fast)
+    endif()
     add_executable(${name}_test ${ARG_UNPARSED_ARGUMENTS})
     target_include_directories(${name}_test PRIVATE ${PROJECT_SOURCE_DIR})
     dsphere_unity(${name}_test)
@@ -46,14 +50,21 @@ function(dsphere_test name)
     # A third less to compile, and as fast: nearly all that takes time in tests is in the libraries.
     target_compile_options(${name}_test PRIVATE $<$<CONFIG:Release>:-O1>)
     target_compile_definitions(${name}_test PRIVATE DSPHERE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    get_directory_property(found TEST_INCLUDE_FILES)
+    gtest_discover_tests(${name}_test TEST_PREFIX "${name}." PROPERTIES TIMEOUT 300 LABELS ${ARG_LABEL}
+                         DISCOVERY_TIMEOUT 60)
     if(NOT ARG_SHARDS)
-        gtest_discover_tests(${name}_test TEST_PREFIX "${name}." PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 60)
         return()
     endif()
+    get_directory_property(with_cases TEST_INCLUDE_FILES)
+    list(GET with_cases -1 cases)
+    set(asking ${CMAKE_CURRENT_BINARY_DIR}/${name}_cases.cmake)
+    file(WRITE ${asking} "if(DEFINED ENV{DSPHERE_CASES})\n    include([==[${cases}]==])\nendif()\n")
+    set_property(DIRECTORY PROPERTY TEST_INCLUDE_FILES ${found} ${asking})
     math(EXPR last "${ARG_SHARDS} - 1")
     foreach(shard RANGE ${last})
-        add_test(NAME ${name}.${shard} COMMAND ${name}_test --gtest_brief=1)
-        set_tests_properties(${name}.${shard} PROPERTIES TIMEOUT 900 COST 100
+        add_test(NAME ${name}.shard${shard} COMMAND ${name}_test --gtest_brief=1)
+        set_tests_properties(${name}.shard${shard} PROPERTIES TIMEOUT 900 COST 100 LABELS ${ARG_LABEL}
                              ENVIRONMENT "GTEST_TOTAL_SHARDS=${ARG_SHARDS};GTEST_SHARD_INDEX=${shard}")
     endforeach()
 endfunction()

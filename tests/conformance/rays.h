@@ -12,11 +12,14 @@ namespace dsphere::conformance {
 using Random = std::mt19937_64;
 using Queries = std::vector<ProbeQuery>;
 
+/// Whether the cases are run once more, for another surface or on the host.
+bool isRunAgain();
+
 /// Rays of a case that is not made by nested loops: above the 20,000 that every case must trace. A quarter of that
-/// where the cases are run once more for another surface.
-inline const int kRays = testSurface() == TestSurface::AsGiven ? 24000 : 6000;
+/// where the cases are run once more.
+inline const int kRays = isRunAgain() ? 6000 : 24000;
 /// The same where faults are rare, and rays random.
-inline const int kManyRays = testSurface() == TestSurface::AsGiven ? 100000 : 12000;
+inline const int kManyRays = isRunAgain() ? 12000 : 100000;
 
 double uniform(Random& random, double low, double high);
 dvec3 randomUnit(Random& random);
