@@ -1,6 +1,8 @@
 #include "cli/describemap.h"
 
+#include "cli/mapcensus.h"
 #include "cli/terminal.h"
+#include "geo/largemap.h"
 #include "geo/readmap.h"
 #include "surface/bounds.h"
 #include "surface/preparemap.h"
@@ -42,36 +44,33 @@ void addDevice(Json& json, const NodeGrid& nodes, std::uint64_t node_bytes) {
     json["device_bytes"] = node_bytes * node_count + 4 * 9 * side * side + 16 * edges;
 }
 
+double longitudeOrigin(const RawMap& map) {
+    return map.longitude_origin.value_or(-180.0);
+}
+
+Registration registrationOf(const RawMap& map) {
+    return map.gridline ? Registration::Gridline : Registration::Texel;
+}
+
 // A texel by its place in the file and on the planet, degrees.
-Json placeOf(const RawMap& map, std::size_t index, double longitude_origin) {
-    std::size_t i = index % std::size_t(map.width), j = index / std::size_t(map.width);
+Json placeOf(const RawMap& map, const CountedTexel& texel) {
     double shift = map.gridline ? 0.0 : 0.5;
     double steps = map.gridline ? std::max(map.height - 1, 1) : map.height;
-    double longitude = longitude_origin + (double(i) + shift) * 360.0 / map.width;
-    return {{"value", map.samples[index]},
-            {"column", i},
-            {"row", j},
-            {"latitude", 90.0 - (double(j) + shift) * 180.0 / steps},
+    double longitude = longitudeOrigin(map) + (texel.column + shift) * 360.0 / map.width;
+    return {{"value", texel.value},
+            {"column", texel.column},
+            {"row", texel.row},
+            {"latitude", 90.0 - (texel.row + shift) * 180.0 / steps},
             {"longitude", longitude - 360.0 * std::floor((longitude + 180.0) / 360.0)}};
 }
 
-Json describeSamples(const RawMap& map, double longitude_origin) {
-    std::size_t least = map.samples.size(), greatest = least, finite = 0;
-    double sum = 0.0;
-    for (std::size_t k = 0; k < map.samples.size(); ++k) {
-        float value = map.samples[k];
-        if (!std::isfinite(value)) continue;
-        ++finite;
-        sum += double(value);
-        if (least == map.samples.size() || value < map.samples[least]) least = k;
-        if (greatest == map.samples.size() || value > map.samples[greatest]) greatest = k;
-    }
+Json describeCensus(const RawMap& map, const MapCensus& census) {
     Json json = {{"least", nullptr}, {"greatest", nullptr}, {"mean", nullptr}};
-    if (finite > 0)
-        json = {{"least", placeOf(map, least, longitude_origin)},
-                {"greatest", placeOf(map, greatest, longitude_origin)},
-                {"mean", sum / double(finite)}};
-    json["unknown_texels"] = map.samples.size() - finite;
+    if (census.known > 0)
+        json = {{"least", placeOf(map, *census.least)},
+                {"greatest", placeOf(map, *census.greatest)},
+                {"mean", census.sum / double(census.known)}};
+    json["unknown_texels"] = census.unknown;
     return json;
 }
 
@@ -104,14 +103,60 @@ void addFacts(Json& json, const MapFacts& facts, double least, double greatest) 
     for (const auto& [property, source] : facts.sources) json["sources"][property] = source;
 }
 
-// The stored value of a texel that describeSamples has told; NaN: there is none.
+// The stored value of a texel that describeCensus has told; NaN: there is none.
 double valueOf(const Json& texel) {
     return texel.is_null() ? std::nan("") : texel["value"].get<double>();
 }
 
+// `map` may lack its samples; `census` and `non_finite` may be null.
+Json describeFile(const std::string& path, const RawMap& map, const Json& census, const Json& non_finite) {
+    Json json = {{"map", path}, {"type", map.type}, {"width", map.width}, {"height", map.height}};
+    json.update(census);
+    json["non_finite_texels"] = non_finite;
+    json["full_scale"] = map.full_scale;
+    json["registration"] = nameOf(registrationOf(map));
+    json["longitude_origin"] = longitudeOrigin(map);
+    return json;
+}
+
+// A map that stays in its file: without `scan` what only its texels tell is null.
+Json describeLargeFile(const std::string& path, const geo::LargeMap& map, bool scan) {
+    RawMap head = map.head();
+    DisplacedSphere shape;
+    shape.map_path = path;
+    prepareMap(head, shape);
+    if (!scan)
+        head.notices.push_back(
+            {Notice::Kind::Note,
+             fmt::format("{}: its {} texels are not read: --scan reads them, and tells the least and "
+                         "the greatest, the mean and how many are unknown",
+                         path, std::uint64_t(head.width) * std::uint64_t(head.height))});
+    printNotices(head.notices);
+    Json census = {{"least", nullptr}, {"greatest", nullptr}, {"mean", nullptr}, {"unknown_texels", nullptr}};
+    Json non_finite = nullptr;
+    if (scan) {
+        ProgressLine line(ProgressMode::Auto, false, "scan");
+        const MapCensus counted = censusOf(map, [&line](double share) { return line.update(share); });
+        census = describeCensus(head, counted);
+        non_finite = head.unknown_are_nan ? 0 : counted.not_finite;
+    }
+    Json json = describeFile(path, head, census, non_finite);
+    json["scanned"] = scan;
+    for (const char* property : {"registration", "longitude_origin"}) head.facts.sources.emplace(property, "default");
+    addFacts(json, head.facts, valueOf(census["least"]), valueOf(census["greatest"]));
+    Heightmap grid;  // without samples, whose number alone is asked for here
+    grid.width = head.width;
+    grid.height = head.height;
+    grid.registration = registrationOf(head);
+    addDevice(json, NodeGrid(grid), std::uint64_t(geo::bytesOf(map.kind())));
+    return json;
+}
+
 }  // namespace
 
-Json describeMapFile(const std::string& path) {
+Json describeMapFile(const std::string& path, bool scan) {
+    if (const auto large = geo::openLargeMap(path, {}, geo::kLargeMapTexels + 1))
+        return describeLargeFile(path, *large, scan);
     RawMap map = geo::readMap(path);
     const auto not_finite = std::ranges::count_if(map.samples, [](float value) { return !std::isfinite(value); });
     const auto non_finite_texels = map.unknown_are_nan ? 0 : not_finite;
@@ -119,18 +164,14 @@ Json describeMapFile(const std::string& path) {
     shape.map_path = path;
     prepareMap(map, shape);
     printNotices(map.notices);
-    const double longitude_origin = map.longitude_origin.value_or(-180.0);
-    Json json = {{"map", path}, {"type", map.type}, {"width", map.width}, {"height", map.height}};
-    json.update(describeSamples(map, longitude_origin));
-    json["non_finite_texels"] = non_finite_texels;
-    json["full_scale"] = map.full_scale;
-    json["registration"] = nameOf(map.gridline ? Registration::Gridline : Registration::Texel);
-    json["longitude_origin"] = longitude_origin;
+    const Json census = describeCensus(map, censusOf(map));
+    Json json = describeFile(path, map, census, non_finite_texels);
+    json["scanned"] = true;
     // Unknown texels' values do not matter to the nodes' number, which is what is asked here.
     std::replace_if(
         map.samples.begin(), map.samples.end(), [](float value) { return !std::isfinite(value); }, 0.0f);
     const Heightmap heightmap = makeHeightmap(std::move(map), shape);
-    addFacts(json, heightmap.facts, valueOf(json["least"]), valueOf(json["greatest"]));
+    addFacts(json, heightmap.facts, valueOf(census["least"]), valueOf(census["greatest"]));
     addDevice(json, NodeGrid(heightmap), kHeightBytes);
     return json;
 }

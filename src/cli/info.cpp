@@ -84,10 +84,11 @@ Json describeShown(const std::string& path, const MapOptions& options) {
     return json;
 }
 
-int runInfo(const std::string& path, const MapOptions& options, bool as_json) {
+int runInfo(const std::string& path, const MapOptions& options, bool scan, bool as_json) {
     const bool is_map = isHeightmap(path);
     if (!is_map) requireNone(options, path);
-    Json json = is_map ? describeMapFile(path) : describeSceneFile(path);
+    if (!is_map && scan) throwUsage("--scan reads the texels of a map; {} is a scene", path);
+    Json json = is_map ? describeMapFile(path, scan) : describeSceneFile(path);
     if (is_map && options != MapOptions()) json["shown"] = describeShown(path, options);
     if (as_json)
         printText(jsonText(json));
@@ -103,11 +104,13 @@ void addInfo(CLI::App& app, Action& action) {
     auto path = std::make_shared<std::string>();
     auto json = std::make_shared<bool>(false);
     command->add_option("file", *path, "Scene, or - for standard input, or map")->type_name("FILE")->required();
+    auto scan = std::make_shared<bool>(false);
     auto options = std::make_shared<MapOptions>();
+    command->add_flag("--scan", *scan,
+                      "Read all texels of a map of more than 67 million, too: least, greatest, mean and unknown ones");
     command->add_flag("--json", *json, "Print as JSON");
     addMapOptions(*command, *options);
-    command->callback(
-        [path, options, json, &action] { action = [path, options, json] { return runInfo(*path, *options, *json); }; });
+    command->callback([=, &action] { action = [=] { return runInfo(*path, *options, *scan, *json); }; });
 }
 
 }  // namespace dsphere::cli

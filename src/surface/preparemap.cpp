@@ -10,13 +10,6 @@
 namespace dsphere {
 namespace {
 
-// -3.4028235e38 is the most common value for "unknown" in float maps; some programs write fewer of its digits.
-constexpr float kLargestHeight = 3.39e38f;
-
-bool isHeight(float stored) {
-    return std::abs(stored) < kLargestHeight;  // not so for NaN
-}
-
 template <typename... Args>
 void say(RawMap& map, const DisplacedSphere& shape, Notice::Kind kind, fmt::format_string<Args...> format,
          Args&&... args) {

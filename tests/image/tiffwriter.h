@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -87,6 +88,26 @@ std::string tiffFile(const TiffForm& form, int width, int height, const std::vec
                 good = good && (tiled ? TIFFWriteEncodedTile(tiff, index, block.data(), bytes)
                                       : TIFFWriteEncodedStrip(tiff, index, block.data(), bytes)) == bytes;
             }
+    TIFFClose(tiff);
+    if (!good) throw std::runtime_error("cannot write a TIFF file");
+    return readBytes(path);
+}
+
+/// A map of square tiles of which only those in `tiles` are written, by their number; the others have no bytes in the
+/// file.
+template <typename Sample>
+std::string sparseTiffFile(int width, int height, int tile, std::map<std::uint32_t, std::vector<Sample>> tiles) {
+    const TempFolder folder;
+    const std::filesystem::path path = folder.path() / "made.tif";
+    TIFF* tiff = TIFFOpen(path.c_str(), "w8");
+    if (!tiff) throw std::runtime_error("cannot make a TIFF file");
+    const TiffForm form{.compression = COMPRESSION_ADOBE_DEFLATE, .tile_width = tile, .tile_height = tile};
+    setTiffFields<Sample>(tiff, form, width, height);
+    bool good = true;
+    for (auto& [index, samples] : tiles) {
+        const auto bytes = tmsize_t(samples.size() * sizeof(Sample));
+        good = good && TIFFWriteEncodedTile(tiff, index, samples.data(), bytes) == bytes;
+    }
     TIFFClose(tiff);
     if (!good) throw std::runtime_error("cannot write a TIFF file");
     return readBytes(path);
