@@ -25,17 +25,67 @@ struct Window {
     int x = 0, y = 0, width = 0, height = 0;
 };
 
+/// A strip or tile, in which GDAL reads a file.
+struct Block {
+    int width = 1, height = 1;
+};
+
+/// Calls visit(piece) for pieces of a window that end where blocks of the file do, in the file's order. Each is a
+/// block, or several with at most `most_texels`.
+template <typename Visit>
+void forPieces(const Window& window, const Block& block, std::int64_t most_texels, Visit visit) {
+    const std::int64_t block_width = block.width, block_height = block.height;
+    const std::int64_t blocks_down = (window.height + block_height - 1) / block_height + 1;
+    const std::int64_t height =
+        block_height * std::clamp<std::int64_t>(most_texels / (block_width * block_height), 1, blocks_down);
+    const std::int64_t width = block_width * std::max<std::int64_t>(most_texels / (block_width * height), 1);
+    const std::int64_t right = window.x + window.width, bottom = window.y + window.height;
+    for (std::int64_t y = window.y, next_y; y < bottom; y = next_y) {
+        next_y = std::min((y / height + 1) * height, bottom);
+        for (std::int64_t x = window.x, next_x; x < right; x = next_x) {
+            next_x = std::min((x / width + 1) * width, right);
+            visit(Window{int(x), int(y), int(next_x - x), int(next_y - y)});
+        }
+    }
+}
+
+/// Few enough texels that GDAL's cache keeps all blocks that are read at once: it would read a row of blocks anew for
+/// each row of texels otherwise.
+constexpr std::int64_t kPieceTexels = 1 << 20;
+
 /// One of GDAL's handles of the file, which serves one thread at a time.
 struct Handle {
     OpenMap file;
     GDALRasterBandH band = nullptr, mask = nullptr;
+    Block block = {};
 
+    void setBand(int number) {
+        band = gdal().GDALGetRasterBand(file.dataset.get(), number);
+        gdal().GDALGetBlockSize(band, &block.width, &block.height);
+    }
     void fetch(GDALRasterBandH from, const Window& w, void* to, GDALDataType type, std::size_t bytes_per_row) const {
         GdalMessages messages;
         if (gdal().GDALRasterIO(from, GF_Read, w.x, w.y, w.width, w.height, to, w.width, w.height, type, 0,
-                                int(bytes_per_row)) != CE_None)
-            throwInvalid("{}: {}: rows {} to {} of columns {} to {} cannot be read: {}", file.name(),
-                         nameOf(file.file.format), w.y, w.y + w.height - 1, w.x, w.x + w.width - 1, messages.reason());
+                                int(bytes_per_row)) == CE_None)
+            return;
+        if (!messages.failed()) findReason(from, w);
+        refuse(w, messages);
+    }
+
+  private:
+    [[noreturn]] void refuse(const Window& w, const GdalMessages& messages) const {
+        throwInvalid("{}: {}: rows {} to {} of columns {} to {} cannot be read: {}", file.name(),
+                     nameOf(file.file.format), w.y, w.y + w.height - 1, w.x, w.x + w.width - 1, messages.reason());
+    }
+    /// GDAL's threads, which decode several blocks at once, keep their reasons to themselves: throws that of the first
+    /// block that cannot be read alone.
+    void findReason(GDALRasterBandH from, const Window& window) const {
+        forPieces(window, block, 1, [&](const Window& w) {
+            GdalMessages messages;
+            double texel = 0.0;
+            if (gdal().GDALRasterIO(from, GF_Read, w.x, w.y, 1, 1, &texel, 1, 1, GDT_Float64, 0, 0) != CE_None)
+                refuse(w, messages);
+        });
     }
 };
 
@@ -113,26 +163,6 @@ Coding codingOf(const MapHead& head, bool has_rows_beyond) {
     return {kind, sample.is_signed ? -32768 : 65535};
 }
 
-/// Calls visit(piece) for pieces of a window that end where blocks of the file do, in the file's order. Each is a block
-/// or few enough of them that GDAL's cache keeps all that are read at once: it would read a row of blocks anew for each
-/// row of texels otherwise.
-template <typename Visit>
-void forPieces(const Window& window, std::int64_t block_width, std::int64_t block_height, Visit visit) {
-    constexpr std::int64_t kMostTexels = 1 << 20;
-    const std::int64_t blocks_down = (window.height + block_height - 1) / block_height + 1;
-    const std::int64_t height =
-        block_height * std::clamp<std::int64_t>(kMostTexels / (block_width * block_height), 1, blocks_down);
-    const std::int64_t width = block_width * std::max<std::int64_t>(kMostTexels / (block_width * height), 1);
-    const std::int64_t right = window.x + window.width, bottom = window.y + window.height;
-    for (std::int64_t y = window.y, next_y; y < bottom; y = next_y) {
-        next_y = std::min((y / height + 1) * height, bottom);
-        for (std::int64_t x = window.x, next_x; x < right; x = next_x) {
-            next_x = std::min((x / width + 1) * width, right);
-            visit(Window{int(x), int(y), int(next_x - x), int(next_y - y)});
-        }
-    }
-}
-
 template <typename Sample>
 void mirrorRows(Sample* samples, int width, int height) {
     for (int j = 0; j < height; ++j, samples += width) std::reverse(samples, samples + width);
@@ -156,7 +186,6 @@ class GdalLargeMap : public LargeMap {
           files_(filesOf(first->file)),
           handles_(std::move(first), [this] { return reopen(); }) {
         handles_.with([&](const Handle& handle) {
-            gdal().GDALGetBlockSize(handle.band, &block_width_, &block_height_);
             float last = 0.0f;  // texel of the file, which is there when the file is whole
             handle.fetch(handle.band, {file_width_ - 1, file_height_ - 1, 1, 1}, &last, GDT_Float32, 0);
         });
@@ -197,7 +226,7 @@ class GdalLargeMap : public LargeMap {
             handle->file.bands() < head_.bands[0])
             throwInvalid("{}: {}: has changed since it was opened: it had {}x{} texels, now {}x{}", handle->file.name(),
                          nameOf(file_.format), file_width_, file_height_, handle->file.width(), handle->file.height());
-        handle->band = gdal().GDALGetRasterBand(handle->file.dataset.get(), head_.bands[0]);
+        handle->setBand(head_.bands[0]);
         if (head_.unknown.mask) handle->mask = gdal().GDALGetMaskBand(handle->band);
         return handle;
     }
@@ -224,7 +253,7 @@ class GdalLargeMap : public LargeMap {
         if (placed.flipped) of_file.y = file_height_ - of_file.y - of_file.height;
         Sample* known = to + (top - window.y) * width;
         handles_.with([&](const Handle& handle) {
-            forPieces(of_file, block_width_, block_height_, [&](const Window& piece) {
+            forPieces(of_file, handle.block, kPieceTexels, [&](const Window& piece) {
                 readPiece(handle, piece, known + (piece.y - of_file.y) * width + (piece.x - of_file.x), width);
             });
         });
@@ -269,7 +298,6 @@ class GdalLargeMap : public LargeMap {
     MapHead head_;
     Coding coding_;
     std::vector<std::filesystem::path> files_;
-    int block_width_ = 1, block_height_ = 1;
     mutable Handles handles_;
 };
 
@@ -296,7 +324,7 @@ std::shared_ptr<const LargeMap> openWindows(const PlacedFile& file, std::optiona
     const OpenMap& open = handle->file;
     MapHead head = readHead(open, band, placed);
     if (std::uint64_t(head.map.width) * std::uint64_t(head.map.height) < least_texels) return nullptr;
-    handle->band = g.GDALGetRasterBand(open.dataset.get(), head.bands[0]);
+    handle->setBand(head.bands[0]);
     handle->mask = head.unknown.mask;
     if (head.bands.size() > 1 || g.GDALGetRasterColorTable(handle->band)) return nullptr;
     checkLargeSize(open, open.width(), open.height());
