@@ -105,16 +105,29 @@ Task findTask(const int n) {
     task.pixel = ivec2(params.tile_x, params.tile_y) + block * ivec2(GROUP_SIZE_X, GROUP_SIZE_Y) + within;
     task.clear = -kInfinity;
     task.exists = all(lessThan(task.pixel, ivec2(params.tile_x1, params.tile_y1)));
+    if (kListed != 0) {
+        uint pixel = findListed(task.exists);
+        task.pixel = ivec2(pixel & 0xffffu, pixel >> 16);
+    }
     return task;
 }
 #endif
 
+uint pixelBits(const ivec2 pixel) {
+    return uint(pixel.x) | uint(pixel.y) << 16;
+}
+
 void leaveForRetry(const ivec2 pixel, const real clear) {
-    leaveForRetry(uint(pixel.x) | uint(pixel.y) << 16, clear);
+    leaveForRetry(pixelBits(pixel), clear);
 }
 
 // Film planes of a pixel whose ray, or another that it needs, is in doubt are left to the other precision.
 void finish(const Task task, const Gathered gathered, const int sample_index) {
+    if (missesTile()) {
+        leaveForTile(pixelBits(task.pixel));
+        absent_tile = -1;  // the invocation's next pixel may have all of its own
+        return;
+    }
     if (gathered.searches.doubtful) {
         leaveForRetry(task.pixel, gathered.point.clear);
         return;

@@ -32,11 +32,13 @@ using uint = std::uint32_t;
 #define BINDING_EDGES 9
 #define BINDING_IMAGES 10   // r32ui array: the colour images' texels
 #define BINDING_NODES 11    // rgba32f array: a spline's value, slopes east and south, and twist at the nodes
-#define BINDING_FILM 12     // r32ui array: one layer a plane (probe.comp: the rays)
-#define BINDING_HITS 13     // probe.comp: the answers
-#define BINDING_RETRY 13    // render.comp, query.comp: the pixels or rays that FILTER leaves to FULL
-#define BINDING_ANSWERS 14  // query.comp: a QueryHit per ray
-#define BINDING_LOOKS 15    // query.comp: a QueryLook per ray, if PLANE_R or PLANE_U is asked for
+#define BINDING_TILES 12    // r32ui array: the heights of maps in tiles, and where their tiles lie
+#define BINDING_FILM 13     // r32ui array: one layer a plane (probe.comp: the rays)
+#define BINDING_HITS 14     // probe.comp: the answers
+#define BINDING_RETRY 14    // render.comp, query.comp: the pixels or rays that FILTER leaves to FULL
+#define BINDING_ABSENT 15   // render.comp, query.comp: those that wait for a tile
+#define BINDING_ANSWERS 16  // query.comp: a QueryHit per ray
+#define BINDING_LOOKS 17    // query.comp: a QueryLook per ray, if PLANE_R or PLANE_U is asked for
 
 // ONE_PLANET knows what SPEC_OBJECT_COUNT, SPEC_KINDS and SPEC_ONLY_ would tell.
 #define SPEC_MARCHER 0
@@ -66,7 +68,9 @@ using uint = std::uint32_t;
 #define SPEC_ONLY_PLAIN 23      // the same of all other objects
 #define SPEC_TURNS 24           // pixels that an invocation takes, one after the other; WITH_PATHS alone
 #define SPEC_HIDE_DISTANCE 25   // 1: camera rays that miss see no infinite light; WITH_PATHS alone
-#define SPEC_COUNT 26
+#define SPEC_TILES 26           // 1: the scene has a map in tiles
+#define SPEC_LISTED 27          // 1: FILTER takes its pixels or rays from the list at BINDING_ABSENT
+#define SPEC_COUNT 28
 
 #define MARCHER_EXACT 0
 #define MARCHER_NAIVE 1        // the seed's: from the camera
@@ -106,6 +110,14 @@ using uint = std::uint32_t;
 #define SURFACE_SPLINE 1
 #define SURFACE_RIPPLES 2
 #define SURFACE_SMOOTH_NORMALS 3  // not a surface: a bilinear one whose shading normals are the spline's
+
+// How the samples of a map in tiles are stored. 16-bit ones lie two to a word, the lower half first.
+#define SAMPLES_UINT16 0
+#define SAMPLES_INT16 1
+#define SAMPLES_FLOAT 2
+#define EDGE_COLUMNS 8192  // of the edges image in a scene with a map in tiles
+#define EDGE_ROWS 4
+#define NO_TILE 0xffffffffu  // in the table: the tile is not on the device
 
 #define IMAGE_NONE 0
 #define IMAGE_CODES 1   // a word a texel: 8-bit sRGB codes, R lowest. The image's first row holds their light, as float
@@ -165,7 +177,7 @@ using uint = std::uint32_t;
 #define FILTER_SIGNED 2       // and as the weights say
 #define LOSS_INTERVALS 128    // of a conductor's loss over the root of the cosine; one value more at either end
 #define MAX_TRIANGLES 512     // of all meshes together
-#define MAX_LEVELS 8          // of detail; level 0 is the map
+#define MAX_LEVELS 6          // of detail; level 0 is the map (with more, all maps would not fit into 64 KiB)
 #define RAMP_POINTS 17        // control points of a colour ramp, at equal distances
 
 struct ObjectData {
@@ -256,6 +268,13 @@ struct MapData {
     // whether shading normals are those of the nodes; ripples: radians of the sines a column and a row.
     int surface, cap_rows, nodes_y, nodes_layer, smooth_normals;
     float phase_u, phase_v;
+    // A map in tiles has no heights image. A tile holds the nodes of 2^tile_shift x 2^tile_shift cells, those on its
+    // far edges included. Row `table_y` + r, column c of layer 0 of the tiles image tells where tile (c, r) lies, in
+    // tiles: c in 8 bits, r in 8, layer in 16; or NO_TILE. Tiles begin below row `tiles_y` of every layer.
+    int tile_shift;                    // 0: the map is not in tiles
+    int table_y, tiles_y, first_tile;  // first_tile: the number of tile (0, 0) among those of all maps
+    int tile_words, samples;           // of a tile's row, as it lies in the image; SAMPLES_
+    float north_pole, south_pole;      // stored values
 };
 
 struct RenderParams {
@@ -277,6 +296,17 @@ struct RetryHead {
 struct RetryPixel {
     uint pixel;
     float clear;
+};
+
+// The head of the list of pixels (query.comp: rays) that met a tile which is not on the device; the list follows, and
+// after `capacity` entries that of those that are to be done again, `listed` of them.
+struct AbsentHead {
+    uint count, capacity, listed, pad0;
+};
+
+// x and y in 16 bits each, or a ray's index; the tile's number.
+struct AbsentPixel {
+    uint pixel, tile;
 };
 
 // A ray in the object space of object 0, units of R: a point and a direction of any length, each a row and its _lo row.
@@ -334,7 +364,10 @@ static_assert(sizeof(ObjectData) == 26 * 16 + 24 * 4);
 static_assert(sizeof(LightData) == 5 * 16 + 16 * 4);
 static_assert(sizeof(MaterialData) == 5 * 16 + 12 * 4);
 static_assert(sizeof(TriangleData) == 64);
-static_assert(sizeof(MapData) == 32 * 4);
+static_assert(sizeof(MapData) == 40 * 4);
+static_assert(sizeof(MapData) * MAX_OBJECTS * MAX_LEVELS <= 65536);
+static_assert(sizeof(AbsentHead) == 16);
+static_assert(sizeof(AbsentPixel) == 8);
 static_assert(sizeof(RenderParams) == 32);
 static_assert(sizeof(RetryHead) == 16);
 static_assert(sizeof(RetryPixel) == 8);

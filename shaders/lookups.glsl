@@ -15,6 +15,49 @@ real heightAt(const MapData map, const int column, const int row) {
     return imageLoad(heights, ivec3(x, map.heights_y + row, map.layer)).x;
 }
 
+// The first tile that a search missed, -1: none. What follows from its heights, which are NaN, means nothing.
+int absent_tile = -1;
+
+bool missesTile() {
+    return kTiles != 0 && absent_tile >= 0;
+}
+
+// The sample at a column of a tile's row, which begins at `start` (x in words).
+real tileSample(const MapData map, const ivec3 start, const int column) {
+    bool wide = map.samples == SAMPLES_FLOAT;
+    uint word = imageLoad(tiles, start + ivec3(wide ? column : column >> 1, 0, 0)).x;
+    uint code = (column & 1) == 0 ? word & 0xffffu : word >> 16;
+    int signed_code = int(code) - (map.samples == SAMPLES_INT16 && code > 0x7fffu ? 0x10000 : 0);
+    return wide ? uintBitsToFloat(word) : real(signed_code);
+}
+
+// cornersAt() of a map in tiles.
+vec4 tileCorners(const MapData map, const ivec2 cell) {
+    int side = 1 << map.tile_shift;
+    ivec2 tile = ivec2(cell.x >> map.tile_shift, cell.y >> map.tile_shift);
+    uint place = imageLoad(tiles, ivec3(tile.x, map.table_y + tile.y, 0)).x;
+    bool present = place != NO_TILE;
+    if (!present && absent_tile < 0) absent_tile = map.first_tile + tile.y * ((map.width + side - 1) >> map.tile_shift) + tile.x;
+    place = present ? place : 0u;
+    ivec2 within = ivec2(cell.x & (side - 1), cell.y & (side - 1));
+    ivec3 north = ivec3(int(place & 255u) * map.tile_words, map.tiles_y + int(place >> 8 & 255u) * (side + 1) + within.y,
+                        int(place >> 16));
+    ivec3 south = north + ivec3(0, 1, 0);
+    vec4 corners = vec4(tileSample(map, north, within.x), tileSample(map, north, within.x + 1),
+                        tileSample(map, south, within.x), tileSample(map, south, within.x + 1));
+    if (cell.y == 0) corners = vec4(map.north_pole, map.north_pole, corners.z, corners.w);
+    if (cell.y == map.rows - 1) corners = vec4(corners.x, corners.y, map.south_pole, map.south_pole);
+    return present ? corners : vec4(uintBitsToFloat(0x7fc00000u));
+}
+
+// Stored values at the corners of a cell: north-west, north-east, south-west, south-east.
+vec4 cornersAt(const MapData map, const ivec2 cell) {
+    if (kTiles != 0 && map.tile_shift != 0) return tileCorners(map, cell);
+    int next = cell.x + 1 == map.width ? 0 : cell.x + 1;
+    return vec4(heightAt(map, cell.x, cell.y), heightAt(map, next, cell.y), heightAt(map, cell.x, cell.y + 1),
+                heightAt(map, next, cell.y + 1));
+}
+
 #ifdef WITH_CURVED
 vec4 nodeAt(const MapData map, const int column, const int row) {
     return imageLoad(nodes, ivec3(column, map.nodes_y + row, map.nodes_layer));
@@ -35,7 +78,9 @@ real boundAt(const MapData map, const int face_row, const int side, const int i,
 }
 
 vec4 edgesAt(const int x, const int y) {
-    return imageLoad(edges, ivec3(x, y, 0));
+    if (kTiles == 0) return imageLoad(edges, ivec3(x, y, 0));
+    // Rows longer than an image may be go on EDGE_ROWS below.
+    return imageLoad(edges, ivec3(x % EDGE_COLUMNS, y + x / EDGE_COLUMNS * EDGE_ROWS, 0));
 }
 
 uint imageWord(const int x, const int y, const int layer) {

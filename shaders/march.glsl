@@ -174,13 +174,13 @@ Walk march(const Ray ray, const MapData map, const Pair base, const real scale, 
             while (steps < MAX_STEPS) {
                 walkStep(walk, plan, ray, map, scale);
                 steps += 4;
-                if (!walk.going) break;
+                if (!walk.going || missesTile()) break;
             }
             at.s = at.leaf_end;
             at.leaf = false;
         }
         if (at.turned) turnFace(at, face);
-        if (walk.hit || !(at.s < s_end)) break;
+        if (walk.hit || missesTile() || !(at.s < s_end)) break;
     }
     walk.steps = steps;
     walk.exhausted = steps >= MAX_STEPS;

@@ -5,6 +5,7 @@
 
 #include "resources.glsl"
 #include "retrylist.glsl"
+#include "absentlist.glsl"
 
 layout(push_constant) uniform Params { QueryParams pushed; };
 
@@ -86,9 +87,14 @@ void main() {
     uint index = gl_GlobalInvocationID.x;
     bool exists = index < params.count;
     float clear = -kInfinity;
+    if (kListed != 0) index = findListed(exists);
 #endif
     if (!exists) return;
     Gathered result = gather(listedSegment(index, clear), index);
+    if (missesTile()) {
+        leaveForTile(index);
+        return;
+    }
     if (result.searches.doubtful) {
         leaveForRetry(index, result.point.clear);
         return;

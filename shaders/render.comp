@@ -5,6 +5,7 @@
 
 #include "resources.glsl"
 #include "retrylist.glsl"
+#include "absentlist.glsl"
 
 layout(push_constant) uniform Params { RenderParams pushed; };
 layout(local_size_x = GROUP_SIZE_X, local_size_y = GROUP_SIZE_Y) in;

@@ -49,6 +49,8 @@ layout(constant_id = SPEC_RETRY_STRIDE) const uint kRetryStride = 1u;
 layout(constant_id = SPEC_THRESHOLD) const float kThreshold = 3e-6;
 layout(constant_id = SPEC_STRIDE) const float kStride = 1.0;
 layout(constant_id = SPEC_DETAIL) const float kDetail = 0.0;
+layout(constant_id = SPEC_TILES) const int kTiles = 0;
+layout(constant_id = SPEC_LISTED) const int kListed = 0;
 
 layout(std140, binding = BINDING_OBJECTS) uniform Objects { ObjectData objects[MAX_OBJECTS]; };
 layout(std140, binding = BINDING_MAPS) uniform Maps { MapData maps[MAX_OBJECTS * MAX_LEVELS]; };
@@ -63,6 +65,7 @@ layout(binding = BINDING_HEIGHTS, r32f) readonly uniform image2DArray heights;
 layout(binding = BINDING_BOUNDS, r32f) readonly uniform image2DArray bounds;
 layout(binding = BINDING_EDGES, rgba32f) readonly uniform image2DArray edges;
 layout(binding = BINDING_IMAGES, r32ui) readonly uniform uimage2DArray images;
+layout(binding = BINDING_TILES, r32ui) readonly uniform uimage2DArray tiles;
 
 #ifdef WITH_CURVED
 layout(binding = BINDING_NODES, rgba32f) readonly uniform image2DArray nodes;

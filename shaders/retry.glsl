@@ -1,4 +1,4 @@
-// The entries of retrylist.glsl.
+// The entries of retrylist.glsl and absentlist.glsl.
 
 // How many a workgroup does.
 const uint kRetryGroup = uint(GROUP_SIZE_X * GROUP_SIZE_Y) / kRetryStride;
@@ -23,4 +23,19 @@ void leaveForRetry(const uint pixel, const real clear) {
     bool opens_group = place % kRetryGroup == 0u;
     bool in_first_row = group < RETRY_ROW;
     if (opens_group && (in_first_row || group % RETRY_ROW == 0u)) atomicAdd(retry.groups[in_first_row ? 0 : 1], 1u);
+}
+
+// The invocation's entry among those to be done again, if it `exists`.
+uint findListed(OUT(bool) exists) {
+    uint group = gl_WorkGroupID.y * RETRY_ROW + gl_WorkGroupID.x;
+    uint index = group * uint(GROUP_SIZE_X * GROUP_SIZE_Y) + gl_LocalInvocationIndex;
+    exists = index < absent.listed;
+    return exists ? absent_pixels[absent.capacity + index].pixel : 0u;
+}
+
+// Of a pixel or ray whose search missed a tile: it is done again from the start.
+void leaveForTile(const uint pixel) {
+    uint place = atomicAdd(absent.count, 1u);
+    absent_pixels[place].pixel = pixel;
+    absent_pixels[place].tile = uint(absent_tile);
 }

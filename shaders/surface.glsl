@@ -1,5 +1,5 @@
 // The displaced sphere over one cell of its map. Object space, units of R. Expects layout.h, numeric.glsl, and the
-// resource functions heightAt(map, column, row) and edgesAt(x, y).
+// resource functions cornersAt(map, cell) and edgesAt(x, y).
 
 #ifndef WITH_CURVED
 // One bilinear patch: r = base + a + b fu + c fv + d fu fv, fu eastward and fv southward fractions of the cell.
@@ -55,11 +55,11 @@ vec3 gradientOf(const vec3 p, const real rho, const real radius, const real slop
 // Coefficients of 1, fu, fv and fu fv of the bilinear patch over a cell, from its four corners: `cell` is the north-west
 // one; the column after the last is the first.
 vec4 bilinearOf(const MapData map, const real scale, const ivec2 cell) {
-    int next = cell.x + 1 == map.width ? 0 : cell.x + 1;
-    real nw = scale * heightAt(map, cell.x, cell.y);
-    real ne = scale * heightAt(map, next, cell.y);
-    real sw = scale * heightAt(map, cell.x, cell.y + 1);
-    real se = scale * heightAt(map, next, cell.y + 1);
+    vec4 stored = cornersAt(map, cell);
+    real nw = scale * stored.x;
+    real ne = scale * stored.y;
+    real sw = scale * stored.z;
+    real se = scale * stored.w;
     return vec4(nw, ne - nw, sw - nw, (se - sw) - (ne - nw));
 }
 

@@ -8,7 +8,8 @@ namespace dsphere::cli {
 
 SceneOnDevice::SceneOnDevice(Scene& scene, const SceneOptions& placement, const CommonOptions& common,
                              const MarchMethod& method, std::uint32_t planes) {
-    auto reading = std::async(std::launch::async, [&scene] { return loadSceneMaps(scene); });
+    auto reading =
+        std::async(std::launch::async, [&scene, &placement] { return loadSceneMaps(scene, placement.memory_limit); });
     std::future<void> compiling;
     try {
         device_.emplace(common);

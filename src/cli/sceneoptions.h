@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct SceneOptions {
     std::optional<double> heading, pitch;  ///< degrees; with latlon
     double exaggeration = 1.0;
     bool quick = false;
+    std::uint64_t memory_limit = 0;  ///< bytes for heights, see loadSceneMaps; 0: unlimited
     MapOptions map;
     Marcher marcher = Marcher::Exact;
 };

@@ -67,7 +67,7 @@ int runVerify(const VerifyOptions& options) {
                   {evidencePath(options, "reference"), "the reference's picture"},
                   {evidencePath(options, "difference"), "the difference"}},
                  inputsOf(scene));
-    SceneMaps maps = loadSceneMaps(scene);
+    SceneMaps maps = loadSceneMaps(scene, options.scene.memory_limit);
     placeCamera(scene, maps, options.scene);
     if (!options.common.quiet) {
         printNotices(scene.notices), printNotices(maps.notices());

@@ -1,12 +1,12 @@
 #include "gpu/pipeline_cache.h"
 
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <string>
 
 #include "base/atomicfile.h"
+#include "base/cachefolder.h"
 #include "base/error.h"
 
 namespace dsphere::gpu {
@@ -74,22 +74,13 @@ bool fits(const std::vector<std::byte>& bytes, const VkPhysicalDeviceProperties&
 
 }  // namespace
 
-fs::path PipelineCache::folder() {
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    // The XDG base directory specification: a relative path there is to be ignored.
-    if (cache && fs::path(cache).is_absolute()) return fs::path(cache) / "dsphere";
-    const char* home = std::getenv("HOME");
-    if (home && fs::path(home).is_absolute()) return fs::path(home) / ".cache" / "dsphere";
-    return {};
-}
-
 PipelineCache::PipelineCache(VkPhysicalDevice physical, VkDevice device, const VolkDeviceTable& table)
     : device_(device), table_(&table) {
     VkPhysicalDeviceIDProperties id = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ID_PROPERTIES};
     VkPhysicalDeviceProperties2 all = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
     all.pNext = &id;
     vkGetPhysicalDeviceProperties2(physical, &all);
-    if (const fs::path where = folder(); !where.empty()) {
+    if (const fs::path where = cacheFolder(); !where.empty()) {
         file_ = where / fmt::format("pipelines-{}-{}-{}.bin", hex(id.deviceUUID), hex(id.driverUUID),
                                     hex(all.properties.pipelineCacheUUID));
         loaded_ = readFile(file_);

@@ -8,9 +8,9 @@
 
 namespace dsphere::gpu {
 
-/// The device's VkPipelineCache and its file: read at the start, written at the end if it changed. The file is named by
-/// the UUIDs of device, driver and cache format. Whatever is wrong with it (unreadable, corrupt, unwritable) is silent:
-/// the cache is then empty or not kept.
+/// The device's VkPipelineCache and its file: read at the start, written at the end if it changed. The file lies in
+/// cacheFolder() and is named by the UUIDs of device, driver and cache format. Whatever is wrong with it (unreadable,
+/// corrupt, unwritable) is silent: the cache is then empty or not kept.
 class PipelineCache {
   public:
     PipelineCache(VkPhysicalDevice physical, VkDevice device, const VolkDeviceTable& table);
@@ -19,9 +19,6 @@ class PipelineCache {
     PipelineCache& operator=(const PipelineCache&) = delete;
 
     VkPipelineCache handle() const { return cache_.get(); }
-
-    /// $XDG_CACHE_HOME/dsphere, else $HOME/.cache/dsphere; empty if neither variable holds an absolute path.
-    static std::filesystem::path folder();
 
   private:
     VkDevice device_;

@@ -28,7 +28,7 @@ class HostScene {
     const PackedScene& packed() const { return packed_; }
 
     // What the shaders load from images, by column, row and layer.
-    float height(int x, int y, int layer) const { return packed_.nodes[std::size_t(layer)]->row(y)[x]; }
+    float height(int x, int y, int layer) const { return packed_.nodes[std::size_t(layer)]->at(x, y); }
     float bound(int x, int y, int layer) const {
         const Bounds& bounds = packed_.reliefs[std::size_t(layer)].bounds;
         return bounds.squared[std::size_t(y) * std::size_t(bounds.side) + std::size_t(x)];

@@ -69,6 +69,7 @@ struct Images {
 struct Nodes {
     const HostScene& scene;
 };
+struct Tiles {};  // none: the scene reads any map's heights
 
 vec4 imageLoad(const Heights& image, const ivec3& at) {
     return vec4(real(image.scene.height(at.x, at.y, at.z)));
@@ -89,6 +90,10 @@ uvec4 imageLoad(const Images& image, const ivec3& at) {
 [[maybe_unused]] vec4 imageLoad(const Nodes& image, const ivec3& at) {
     const std::array<float, 4>& node = image.scene.node(at.x, at.y, at.z);
     return vec4(node[0], node[1], node[2], node[3]);
+}
+
+uvec4 imageLoad(const Tiles&, const ivec3&) {
+    return uvec4(0u);
 }
 
 uvec4 imageLoad(HostFilm& film, const ivec3& at) {
@@ -141,12 +146,14 @@ struct Invocation {
     const real kRadiusX = real(asFloat(spec[SPEC_RADIUS_X])), kRadiusY = real(asFloat(spec[SPEC_RADIUS_Y]));
     const real kThreshold = real(asFloat(spec[SPEC_THRESHOLD])), kStride = real(asFloat(spec[SPEC_STRIDE]));
     const real kDetail = real(asFloat(spec[SPEC_DETAIL]));
+    static constexpr int kTiles = 0, kListed = 0;
 
     const Heights heights;
     const BoundsImage bounds;
     const Edges edges;
     const Images images;
     const Nodes nodes;
+    const Tiles tiles = {};
     const std::span<const ObjectData> objects;
     const std::span<const MapData> maps;
     const std::span<const LightData> lights;
@@ -157,6 +164,8 @@ struct Invocation {
     HostFilm& film;
     RetryHead retry = {{0, 1, 1}, 0};
     std::vector<RetryPixel>& retry_pixels;
+    AbsentHead absent = {};  // always empty, as no tile is ever absent
+    std::vector<AbsentPixel> absent_pixels;
     const RenderParams& pushed;
     uvec3 gl_WorkGroupID = uvec3(0u), gl_LocalInvocationID = uvec3(0u);
     uint gl_LocalInvocationIndex = 0;

@@ -1,6 +1,7 @@
 #include "reference/grid.h"
 
 #include "base/math.h"
+#include "surface/tiledheights.h"
 
 #include <cassert>
 #include <cmath>
@@ -10,7 +11,7 @@ namespace dsphere::reference {
 PatchGrid::PatchGrid(const Heightmap& map) : map_(&map), columns_(map.width) {
     const bool texel = map.registration == Registration::Texel;
     assert(map.width >= 1 && map.height >= (texel ? 1 : 2));
-    assert(map.samples.size() == std::size_t(map.width) * std::size_t(map.height));
+    assert(map.tiled || map.samples.size() == std::size_t(map.width) * std::size_t(map.height));
     rows_ = texel ? map.height + 1 : map.height - 1;
     line_offset_ = texel ? -1 : 0;
     line_shift_ = texel ? 0.5 : 0.0;
@@ -53,22 +54,25 @@ double PatchGrid::colatitudeOf(double row) const {
 
 Patch PatchGrid::patch(int column, int row) const {
     const int next = column + 1 < columns_ ? column + 1 : 0;
-    const float* north = map_->samples.data() + std::ptrdiff_t(row + line_offset_) * columns_;
-    const float* south = north + columns_;
+    const int north = row + line_offset_, south = north + 1;
     Patch p;
     if (row == 0) {
         p.nw = p.ne = map_->north_pole;
     } else {
-        p.nw = north[column];
-        p.ne = north[next];
+        p.nw = map_->at(column, north);
+        p.ne = map_->at(next, north);
     }
     if (row == rows_ - 1) {
         p.sw = p.se = map_->south_pole;
     } else {
-        p.sw = south[column];
-        p.se = south[next];
+        p.sw = map_->at(column, south);
+        p.se = map_->at(next, south);
     }
     return p;
+}
+
+const BlockExtremes* PatchGrid::blocks() const {
+    return map_->tiled ? &map_->tiled->survey().blocks : nullptr;
 }
 
 double PatchGrid::value(double column, double row) const {

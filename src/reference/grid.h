@@ -4,6 +4,7 @@
 // reconstruction. Cell coordinates: column x in [0, columns), wrapping; row y in [0, rows], row 0 at the north pole.
 
 #include "surface/heightmap.h"
+#include "surface/survey.h"
 
 #include <algorithm>
 
@@ -42,6 +43,8 @@ class PatchGrid {
     double colatitudeOf(double row) const;
     /// 0 <= column < columns, 0 <= row < rows.
     Patch patch(int column, int row) const;
+    /// Of a map that stays in its file: the extremes over blocks of patches that its survey found; else null.
+    const BlockExtremes* blocks() const;
     /// The interpolated stored value at cell coordinates as columnOf and rowOf give them.
     double value(double column, double row) const;
 

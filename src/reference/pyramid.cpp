@@ -48,16 +48,24 @@ BoundsPyramid::Level BoundsPyramid::coarsen(const Level& fine, int columns, int 
     return level;
 }
 
+BoundsPyramid::Level BoundsPyramid::fromBlocks(const BlockExtremes& extremes) {
+    Level level{extremes.columns, extremes.rows, {}};
+    for (std::size_t n = 0; n < extremes.least.size(); ++n)
+        level.blocks.push_back({extremes.least[n], extremes.greatest[n]});
+    return level;
+}
+
 BoundsPyramid::BoundsPyramid(const PatchGrid& grid) {
-    int columns = grid.columns(), rows = grid.rows();
-    for (int k = 0;; ++k) {
+    const BlockExtremes* extremes = grid.blocks();
+    finest_ = extremes ? extremes->shift : 0;
+    for (int k = finest_;; ++k) {
         std::vector<Level> wide;
-        if (k == 0)
-            wide.push_back({columns, rows, {}});
-        else if (k == 1)
-            wide.push_back(fromCells(grid, 2, 2));
+        if (k > finest_)
+            wide.push_back(k == 1 ? fromCells(grid, 2, 2) : coarsen(levels_.back()[0], 2, 2));
+        else if (extremes)
+            wide.push_back(fromBlocks(*extremes));
         else
-            wide.push_back(coarsen(levels_.back()[0], 2, 2));
+            wide.push_back({grid.columns(), grid.rows(), {}});
         while (wide.back().columns > kMostBlocks)
             wide.push_back(k == 0 && wide.size() == 1 ? fromCells(grid, 4, 1) : coarsen(wide.back(), 4, 1));
         levels_.push_back(std::move(wide));
@@ -65,15 +73,26 @@ BoundsPyramid::BoundsPyramid(const PatchGrid& grid) {
     }
 }
 
+// Of a few patches, one by one.
+Range BoundsPyramid::ofPatches(const PatchGrid& grid, int first_column, int last_column, int first_row, int last_row) {
+    Range range = kEmpty;
+    for (int j = first_row; j <= last_row; ++j)
+        for (int i = first_column; i <= last_column; ++i) include(range, grid.patch(i, j));
+    return range;
+}
+
 Range BoundsPyramid::strip(const PatchGrid& grid, int first_column, int last_column, int first_row,
                            int last_row) const {
-    int k = 0;
+    constexpr int kMostPatches = 32;
+    if (finest_ > 0 && (last_column - first_column + 1) * (last_row - first_row + 1) <= kMostPatches)
+        return ofPatches(grid, first_column, last_column, first_row, last_row);
+    int k = finest_;
     while ((last_row >> k) - (first_row >> k) > 1) ++k;
     std::size_t m = 0;
     int shift = k;
     for (; (last_column >> shift) - (first_column >> shift) >= kMostBlocks; shift += 2) ++m;
     Range range = kEmpty;
-    const Level& level = levels_[std::size_t(k)][m];
+    const Level& level = levels_[std::size_t(k - finest_)][m];
     for (int j = first_row >> k; j <= last_row >> k; ++j)
         for (int i = first_column >> shift; i <= last_column >> shift; ++i) {
             if (shift == 0)

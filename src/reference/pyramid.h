@@ -11,7 +11,8 @@ struct Range {
 };
 
 /// Least and greatest stored value over blocks of cells. Blocks are 2^k rows high and 2^k, 4 * 2^k, 16 * 2^k ...
-/// columns wide: near the poles a short arc covers many columns and few rows. Single cells are read from the map.
+/// columns wide: near the poles a short arc covers many columns and few rows. Single cells are read from the map. Of a
+/// map that stays in its file k begins with its survey's blocks.
 class BoundsPyramid {
   public:
     explicit BoundsPyramid(const PatchGrid& grid);
@@ -30,9 +31,12 @@ class BoundsPyramid {
 
     static Level coarsen(const Level& fine, int columns, int rows);
     static Level fromCells(const PatchGrid& grid, int columns, int rows);
+    static Level fromBlocks(const BlockExtremes& extremes);
+    static Range ofPatches(const PatchGrid& grid, int first_column, int last_column, int first_row, int last_row);
     Range strip(const PatchGrid& grid, int first_column, int last_column, int first_row, int last_row) const;
 
-    // [k][m]: blocks of 2^k rows and 2^(k + 2 m) columns; [0][0] is empty.
+    // [k - finest_][m]: blocks of 2^k rows and 2^(k + 2 m) columns; of a map that is held [0][0] is empty.
+    int finest_ = 0;
     std::vector<std::vector<Level>> levels_;
 };
 

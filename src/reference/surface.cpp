@@ -176,6 +176,13 @@ double Surface::evaluationError(double row0, double row1) const {
 CellSlopes Surface::steepest(int j) const {
     if (ripples_) return {kPi / PatchGrid::kCellsPerRipple, kPi / PatchGrid::kCellsPerRipple};
     double across = 0.0, down = 0.0;
+    if (const BlockExtremes* blocks = grid_.blocks()) {  // no two values of a block differ by more
+        for (int i = 0; i < blocks->columns; ++i) {
+            const std::size_t at = blocks->index(i, j >> blocks->shift);
+            across = std::max(across, double(blocks->greatest[at]) - double(blocks->least[at]));
+        }
+        return {across, across};
+    }
     const int reach = spline_ ? 1 : 0;
     for (int k = std::max(j - reach, 0); k <= std::min(j + reach, grid_.rows() - 1); ++k) {
         double row_down = 0.0;

@@ -95,6 +95,7 @@ MapUse useOf(const PackedScene& packed, std::size_t map) {
     MapUse use;
     for (const PackedRelief& relief : packed.reliefs) {
         if (std::size_t(relief.map) != map || packed.nodes[map]->map().ripples) continue;
+        if (packed.nodes[map]->map().tiled) continue;
         use.heights = use.heights || relief.filter == Filter::Bilinear;
         use.spline = use.spline || relief.filter == Filter::BSpline || relief.smooth_normals;
     }
@@ -120,6 +121,7 @@ struct DeviceScene::Layout {
     std::vector<Stack::Place> height_places, node_places, bound_places, image_places;
     std::vector<int> centre_rows;       ///< in the edges, one an object
     std::vector<layout::MapData> maps;  ///< one a relief
+    bool long_edges;                    ///< see addEdges
 
     /// All levels of detail; one that is not there serves no pixel.
     std::vector<layout::MapData> ofObjects(const PackedScene& packed) const {
@@ -171,17 +173,23 @@ struct DeviceScene::Layout {
         }
         for (const PackedCentres& centres : packed.centres) {
             int width = int(std::max(centres.columns.size(), centres.rows.size()));
-            centre_rows.push_back(width > 0 ? edges.add(width, 2).y : 0);
+            centre_rows.push_back(width > 0 ? addEdges(width, 2) : 0);
         }
     }
 
-    Layout(const gpu::Device& device, const PackedScene& packed) {
+    /// Of `count` tables as long as `width`. With maps in tiles they may be longer than an image is wide: see EDGE_ROWS.
+    int addEdges(int width, int count) {
+        if (!long_edges) return edges.add(width, count).y;
+        return edges.add(std::min(width, EDGE_COLUMNS), EDGE_ROWS * ((width + EDGE_COLUMNS - 1) / EDGE_COLUMNS)).y;
+    }
+
+    Layout(const gpu::Device& device, const PackedScene& packed, const TilePool& tiles) : long_edges(!tiles.empty()) {
         int limit = int(device.limits().max_image_dimension_2d);
         heights.limit = bounds.limit = edges.limit = images.limit = limit;
         nodes.limit = limit;
         for (std::size_t i = 0; i < packed.nodes.size(); ++i) {
             const NodeGrid& grid = *packed.nodes[i];
-            if (grid.width() > limit || grid.rows() + 1 > limit)
+            if (!grid.map().tiled && (grid.width() > limit || grid.rows() + 1 > limit))
                 throwInvalid("{}: a map of {}x{} texels takes an image of {}x{}, but those of {} end at {}x{}",
                              grid.map().path, grid.map().width, grid.map().height, grid.width(), grid.rows() + 1,
                              device.info().name, limit, limit);
@@ -201,7 +209,8 @@ struct DeviceScene::Layout {
             bound_places.push_back(bounds.add(relief.bounds.side, relief.bounds.imageHeight()));
             data.bounds_y = bound_places.back().y;
             data.bounds_layer = bound_places.back().layer;
-            data.edges_y = edges.add(std::max(data.width, data.rows), relief.shader.longitude_phases.empty() ? 2 : 4).y;
+            data.edges_y = addEdges(std::max(data.width, data.rows), relief.shader.longitude_phases.empty() ? 2 : 4);
+            tiles.place(data, relief.map);
             maps.push_back(data);
         }
         placeImages(device, packed);
@@ -209,10 +218,11 @@ struct DeviceScene::Layout {
 };
 
 DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed)
-    : DeviceScene(device, packed, std::make_shared<const Layout>(device, packed)) {}
+    : DeviceScene(device, packed, std::make_unique<TilePool>(device, packed)) {}
 
-DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, std::shared_ptr<const Layout> shared)
-    : layout_(std::move(shared)),
+DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, std::unique_ptr<TilePool> tiles)
+    : tiles_(std::move(tiles)),
+      layout_(std::make_shared<const Layout>(device, packed, *tiles_)),
       objects_(makeBuffer(device, gpu::Buffer::Usage::Uniform, layout_->placedObjects(packed), MAX_OBJECTS, "objects")),
       maps_(device, gpu::Buffer::Usage::Uniform, gpu::Buffer::Place::Device,
             sizeof(layout::MapData) * MAX_OBJECTS * MAX_LEVELS, "maps"),
@@ -233,7 +243,9 @@ DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, std::sh
         if (layout_->uses[i].spline) uploadSpline(nodes_, *packed.nodes[i], layout_->node_places[i]);
     }
     auto uploadEdges = [&](int y, const std::vector<layout::vec4>& edges) {
-        edges_.upload(0, 0, std::uint32_t(y), std::uint32_t(edges.size()), 1, edges.data());
+        const std::size_t most = layout_->long_edges ? std::size_t(EDGE_COLUMNS) : edges.size();
+        for (std::size_t x = 0; x < edges.size(); x += most, y += EDGE_ROWS)
+            edges_.upload(0, 0, std::uint32_t(y), std::uint32_t(std::min(most, edges.size() - x)), 1, &edges[x]);
     };
     for (std::size_t i = 0; i < packed.reliefs.size(); ++i) {
         const PackedRelief& relief = packed.reliefs[i];
@@ -256,6 +268,7 @@ DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, std::sh
         image_bytes_ =
             std::uint64_t(images_.width()) * images_.height() * images_.layers() * texelBytes(images_.format());
     std::vector<const gpu::StorageImage*> of_maps = {&bounds_, &edges_};
+    if (!tiles_->empty()) of_maps.push_back(&tiles_->image());
     if (std::ranges::any_of(layout_->uses, &MapUse::heights)) of_maps.push_back(&heights_);
     if (std::ranges::any_of(layout_->uses, &MapUse::spline)) of_maps.push_back(&nodes_);
     for (const gpu::StorageImage* image : of_maps)
@@ -286,7 +299,8 @@ void DeviceScene::updateReliefs(const PackedScene& packed) {
 
 std::vector<gpu::Resource> DeviceScene::resources() const {
     return {&objects_, &maps_,    &lights_, &materials_, &triangles_, &ramps_,
-            &tables_,  &heights_, &bounds_, &edges_,     &images_,    &nodes_};
+            &tables_,  &heights_, &bounds_, &edges_,     &images_,    &nodes_,
+            &tiles_->image()};
 }
 
 }  // namespace dsphere

@@ -4,6 +4,7 @@
 #include "gpu/image.h"
 #include "gpu/pipeline.h"
 #include "render/pack.h"
+#include "render/tilepool.h"
 
 #include <memory>
 #include <vector>
@@ -27,7 +28,9 @@ class DeviceScene {
     /// Uploads bounds and maps again: of the same maps under other reliefs, as many as before.
     void updateReliefs(const PackedScene& packed);
 
-    /// Bindings BINDING_OBJECTS to BINDING_NODES, in order.
+    /// Of maps that stay in their files. Reading more tiles changes no answer, so that a scene that is const may do it.
+    TilePool& tiles() const { return *tiles_; }
+    /// Bindings BINDING_OBJECTS to BINDING_TILES, in order.
     std::vector<gpu::Resource> resources() const;
     /// Bytes on the device: heights, bounds and edge tables.
     std::uint64_t mapBytes() const { return map_bytes_; }
@@ -37,12 +40,13 @@ class DeviceScene {
   private:
     struct Layout;
 
+    std::unique_ptr<TilePool> tiles_;  // before what is placed in it
     std::shared_ptr<const Layout> layout_;
     gpu::Buffer objects_, maps_, lights_, materials_, triangles_, ramps_, tables_;
     std::uint64_t map_bytes_ = 0, image_bytes_ = 0;
     gpu::StorageImage heights_, bounds_, edges_, images_, nodes_;
 
-    DeviceScene(gpu::Device& device, const PackedScene& packed, std::shared_ptr<const Layout> shared);
+    DeviceScene(gpu::Device& device, const PackedScene& packed, std::unique_ptr<TilePool> tiles);
 };
 
 }  // namespace dsphere

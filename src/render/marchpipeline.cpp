@@ -25,16 +25,18 @@ int turnsOf(const gpu::Device& device, const SceneTraits& traits, const MarchMet
 
 gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& traits, float stride,
                                        std::span<const std::uint32_t> spirv, Shader shader, const MarchMethod& method,
-                                       std::uint32_t planes) {
+                                       std::uint32_t planes, bool listed) {
     using gpu::Binding;
     std::vector<Binding::Kind> bindings(BINDING_RAMPS, Binding::UniformBuffer);
     bindings.insert(bindings.end(), BINDING_HEIGHTS - BINDING_RAMPS, Binding::StorageBuffer);
     bindings.insert(bindings.end(), BINDING_FILM - BINDING_HEIGHTS, Binding::StorageImage);
     bindings.push_back(shader == Shader::Render ? Binding::StorageImage : Binding::StorageBuffer);
     bindings.push_back(Binding::StorageBuffer);
+    if (shader != Shader::Probe) bindings.push_back(Binding::StorageBuffer);
     if (shader == Shader::Query) bindings.insert(bindings.end(), 2, Binding::StorageBuffer);
     Specialization specialization = specializationOf(traits, stride, method, planes);
-    specialization[SPEC_TURNS] = std::uint32_t(turnsOf(device, traits, method));
+    specialization[SPEC_TURNS] = listed ? 1u : std::uint32_t(turnsOf(device, traits, method));
+    specialization[SPEC_LISTED] = listed ? 1 : 0;
     // One ray that takes long holds all up that share its instructions.
     specialization[SPEC_RETRY_STRIDE] = isNarrow(device) ? 1 : 32;
     struct Kind {

@@ -260,7 +260,11 @@ PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels) 
     requireLimits(scene);
     PackedScene packed;
     packed.traits = traitsOf(scene);
-    for (const auto& map : maps.maps) packed.nodes.push_back(std::make_unique<NodeGrid>(*map));
+    packed.memory_limit = maps.memory_limit;
+    for (const auto& map : maps.maps) {
+        packed.nodes.push_back(std::make_unique<NodeGrid>(*map));
+        packed.traits.tiles = packed.traits.tiles || map->tiled;
+    }
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         const Shape& shape = scene.shapes[i];
         ObjectData object = {};

@@ -46,6 +46,7 @@ struct PackedScene {
     std::vector<layout::TriangleData> triangles;     ///< of all meshes
     PathTables tables;
     int light_image = -1;  ///< index in `images` of the infinite light's, -1: none
+    std::uint64_t memory_limit = 0;  ///< SceneMaps'
     SceneTraits traits;
 };
 

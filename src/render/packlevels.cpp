@@ -1,6 +1,7 @@
 #include "render/packlevels.h"
 
 #include "surface/levels.h"
+#include "surface/tiledheights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,8 @@ int halfOf(PackedScene& packed, int nodes) {
     packed.half_of_nodes.resize(packed.nodes.size(), kNotHalved);
     int known = packed.half_of_nodes[std::size_t(nodes)];
     if (known != kNotHalved) return known;
-    std::optional<Heightmap> half = halved(packed.nodes[std::size_t(nodes)]->map());
+    const Heightmap& map = packed.nodes[std::size_t(nodes)]->map();
+    std::optional<Heightmap> half = map.tiled ? reducedMap(map) : halved(map);
     int index = -1;
     if (half) {
         packed.halves.push_back(std::make_unique<Heightmap>(std::move(*half)));
@@ -42,11 +44,21 @@ void packLevels(PackedScene& packed, int finest, const Relief& relief) {
     if (relief.filter != Filter::Bilinear || whole.map().ripples) return;  // the error of no other is known
     double least_pixel = 0.0;
     int last = finest;
+    // Differences from a map that stays in its file are those from its first level, which is held, and that one's.
+    const NodeGrid* compared = &whole;
+    double beyond = 0.0;
     for (int level = 1; level < MAX_LEVELS; ++level) {
         const int half = halfOf(packed, packed.reliefs[std::size_t(last)].map);
         if (half < 0) return;
         const NodeGrid& nodes = *packed.nodes[std::size_t(half)];
-        double error = greatestDifference(whole, nodes) * std::abs(relief.scale) / relief.greatest_radius;
+        double difference = 0.0;
+        if (compared->map().tiled) {
+            compared = &nodes;
+            difference = beyond = whole.map().tiled->survey().reduced_error;
+        } else {
+            difference = beyond + greatestDifference(*compared, nodes);
+        }
+        const double error = difference * std::abs(relief.scale) / relief.greatest_radius;
         least_pixel = std::max({least_pixel, error, 0.5 * nodes.cellWidth()});
         const PackedRelief& whole_relief = packed.reliefs[std::size_t(finest)];
         PackedRelief added{half,

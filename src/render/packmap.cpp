@@ -65,6 +65,8 @@ PackedMap packMap(const NodeGrid& nodes, const Bounds& bounds, const Relief& rel
     data.versin_cap = versin(cap);
     for (int i = 0; i < nodes.width(); ++i) packed.longitude_edges.push_back(edgeOf(nodes.longitude(i)));
     for (int j = 0; j < nodes.rows(); ++j) packed.colatitude_edges.push_back(edgeOf(nodes.colatitude(j)));
+    data.north_pole = nodes.map().north_pole;
+    data.south_pole = nodes.map().south_pole;
     packSurface(packed, nodes, relief);
     return packed;
 }

@@ -9,7 +9,7 @@
 namespace dsphere {
 
 /// Shader view of one map but for its place in the images: data.heights_y, layer, nodes_y, nodes_layer, bounds_y,
-/// bounds_layer, edges_y are 0.
+/// bounds_layer, edges_y and what is said of tiles are 0.
 struct PackedMap {
     layout::MapData data;
     /// Sine and cosine of the west edge of each column as floats, then what that rounding left of both.

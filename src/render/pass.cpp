@@ -1,5 +1,6 @@
 #include "render/pass.h"
 
+#include "base/error.h"
 #include "gpu/device.h"
 #include "render/devicefilm.h"
 #include "render/variants.h"
@@ -33,15 +34,20 @@ std::uint32_t groups(int pixels, int group) {
     return std::uint32_t((pixels + group - 1) / group);
 }
 
-std::uint64_t listBytes(const gpu::StorageImage& film) {
-    std::uint64_t pixels = std::min(std::uint64_t(film.width()) * film.height(), Pass::kMostPixels);
-    return sizeof(layout::RetryHead) + pixels * sizeof(layout::RetryPixel);
+std::uint64_t pixelsAtOnce(const gpu::StorageImage& film) {
+    return std::min(std::uint64_t(film.width()) * film.height(), Pass::kMostPixels);
 }
 
-std::vector<gpu::Resource> bindAll(const DeviceScene& scene, const gpu::StorageImage& film, const gpu::Buffer& list) {
+std::uint64_t listBytes(const gpu::StorageImage& film) {
+    return sizeof(layout::RetryHead) + pixelsAtOnce(film) * sizeof(layout::RetryPixel);
+}
+
+std::vector<gpu::Resource> bindAll(const DeviceScene& scene, const gpu::StorageImage& film, const gpu::Buffer& list,
+                                   const gpu::Buffer& absent) {
     std::vector<gpu::Resource> resources = scene.resources();
     resources.push_back(&film);
     resources.push_back(&list);
+    resources.push_back(&absent);
     return resources;
 }
 
@@ -58,14 +64,17 @@ const Shaders kBaseline = {kAnyBaseline, kAnyBaseline};
 // the first pipeline's is best begun as soon as possible, beside the other's translation.
 PassPipelines::PassPipelines(gpu::Device& device, const SceneTraits& traits, float stride, const MarchMethod& method,
                              std::uint32_t mask) {
-    const auto make = [&device, traits, stride, method, mask](const Shaders& shaders) {
-        return makeMarchPipeline(device, traits, stride, shaders.of(traits), Shader::Render, method, mask);
+    const auto make = [&device, traits, stride, method, mask](const Shaders& shaders, bool listed = false) {
+        return makeMarchPipeline(device, traits, stride, shaders.of(traits), Shader::Render, method, mask, listed);
     };
+    if (traits.tiles && method.marcher != Marcher::Exact)
+        throwInvalid("a map that stays in its file is marched exactly alone; expected the marcher to be exact");
     columns_ = GROUP_SIZE_X * turnsOf(device, traits, method);
     const bool exact = method.marcher == Marcher::Exact;
     const auto startFull = [&] {
         if (exact && (traits.kinds & 1u << KIND_DISPLACED))
-            full_ = std::async(std::launch::async, make, std::cref(kFull)).share();
+            full_ = std::async(std::launch::async, make, std::cref(kFull), false).share();
+        if (traits.tiles) listed_ = std::async(std::launch::async, make, std::cref(kFilter), true).share();
     };
     if (!isNarrow(device)) startFull();
     first_ = make(exact ? kFilter : kBaseline);
@@ -97,7 +106,8 @@ Pass::Pass(gpu::Device& device, PassPipelines& pipelines, const DeviceScene& dev
     : pipelines_(pipelines),
       retry_list_(device, gpu::Buffer::Usage::Storage, gpu::Buffer::Place::Device, listBytes(film), "retry list"),
       head_(device, gpu::Buffer::Usage::Staging, gpu::Buffer::Place::Host, sizeof(layout::RetryHead), "retry head"),
-      set_(device, pipelines.first(), bindAll(device_scene, film, retry_list_), "render"),
+      absent_(device, device_scene.tiles(), pixelsAtOnce(film)),
+      set_(device, pipelines.first(), bindAll(device_scene, film, retry_list_, absent_.buffer()), "render"),
       batch_(device, "render") {
     warmUp();
 }
@@ -110,30 +120,47 @@ void Pass::warmUp() {
         batch_.dispatch(1, 1, 1);
     };
     batch_.write(retry_list_, &kEmptyRetryList, sizeof(kEmptyRetryList));
+    absent_.reset(batch_);
     dispatchNothing(pipelines_.first());
     batch_.submit();
-    const gpu::ComputePipeline* full = pipelines_.full();
-    if (!full) return;
-    dispatchNothing(*full);
-    batch_.submit();
+    for (const gpu::ComputePipeline* later : {pipelines_.full(), pipelines_.listed()}) {
+        if (!later) continue;
+        dispatchNothing(*later);
+        batch_.submit();
+    }
 }
 
 double Pass::run(std::span<const layout::RenderParams> tiles) {
     if (tiles.empty()) return 0.0;
     batch_.write(retry_list_, &kEmptyRetryList, sizeof(kEmptyRetryList));
+    absent_.reset(batch_);
     batch_.bind(pipelines_.first(), set_);
     for (const layout::RenderParams& tile : tiles) {
         batch_.push(tile);
         batch_.dispatch(groups(tile.tile_x1 - tile.tile_x, pipelines_.columns()),
                         groups(tile.tile_y1 - tile.tile_y, GROUP_SIZE_Y), 1);
     }
+    double seconds = finish(tiles.front());
+    absent_.settle([&](std::uint32_t count) {
+        batch_.write(retry_list_, &kEmptyRetryList, sizeof(kEmptyRetryList));
+        batch_.bind(*pipelines_.listed(), set_);
+        batch_.push(tiles.front());
+        const std::uint32_t group_count = groups(int(count), GROUP_SIZE_X * GROUP_SIZE_Y);
+        batch_.dispatch(std::min(group_count, std::uint32_t(RETRY_ROW)), groups(int(group_count), RETRY_ROW), 1);
+        seconds += finish(tiles.front());
+    });
+    return seconds;
+}
+
+// The pixels that the dispatches recorded so far leave; then runs all.
+double Pass::finish(const layout::RenderParams& params) {
     if (const gpu::ComputePipeline* full = pipelines_.full()) {
         batch_.bind(*full, set_);
-        batch_.push(tiles.front());
+        batch_.push(params);
         batch_.dispatchIndirect(retry_list_);
     }
     batch_.copy(retry_list_, head_, sizeof(layout::RetryHead));
-    double seconds = batch_.submit();
+    const double seconds = batch_.submit();
     head_.invalidate();
     layout::RetryHead head;
     std::memcpy(&head, head_.mapped().data(), sizeof(head));

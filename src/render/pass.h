@@ -3,6 +3,7 @@
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
 #include "gpu/pipeline.h"
+#include "render/absentlist.h"
 #include "render/devicescene.h"
 #include "render/marchpipeline.h"
 
@@ -23,6 +24,8 @@ class PassPipelines {
     const gpu::ComputePipeline& first() const { return *first_; }
     /// Null: there is none. Waits until it is made; throws what its making threw.
     const gpu::ComputePipeline* full() const { return full_.valid() ? &full_.get() : nullptr; }
+    /// first() for pixels from a list; null unless the scene has maps in tiles. Waits and throws as full() does.
+    const gpu::ComputePipeline* listed() const { return listed_.valid() ? &listed_.get() : nullptr; }
     /// Of pixels, that a workgroup of first() fills; GROUP_SIZE_Y rows.
     int columns() const { return columns_; }
 
@@ -32,7 +35,7 @@ class PassPipelines {
 
   private:
     std::optional<gpu::ComputePipeline> first_;
-    std::shared_future<gpu::ComputePipeline> full_;  ///< without a state: there is none
+    std::shared_future<gpu::ComputePipeline> full_, listed_;  ///< without a state: there is none
     int columns_ = GROUP_SIZE_X;
 };
 
@@ -66,10 +69,12 @@ class Pass {
 
   private:
     void warmUp();
+    double finish(const layout::RenderParams& params);
 
     PassPipelines& pipelines_;
     gpu::Buffer retry_list_;  ///< RetryHead, then pixels
     gpu::Buffer head_;        ///< the head, for the host
+    AbsentList absent_;
     gpu::BindingSet set_;
     gpu::Batch batch_;
     std::uint64_t retried_ = 0;

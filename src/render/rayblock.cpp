@@ -58,12 +58,13 @@ std::span<T> itemsOf(const gpu::Buffer& buffer) {
 }  // namespace
 
 RayPipelines::RayPipelines(gpu::Device& device, const SceneTraits& traits, const RayWishes& wishes) {
-    const auto make = [&device, traits, mask = planesOf(wishes)](const Shaders& shaders) {
-        return makeMarchPipeline(device, traits, 1.0f, shaders.of(traits), Shader::Query, Marcher::Exact, mask);
+    const auto make = [&device, traits, mask = planesOf(wishes)](const Shaders& shaders, bool listed = false) {
+        return makeMarchPipeline(device, traits, 1.0f, shaders.of(traits), Shader::Query, Marcher::Exact, mask, listed);
     };
     if (traits.kinds & 1u << KIND_DISPLACED)
         full_ = std::async(std::launch::async, [make] { return make(kFull); }).share();
     first_ = make(kFilter);
+    if (traits.tiles) listed_ = make(kFilter, true);
 }
 
 layout::QueryRay packRay(const dvec3& point, const dvec3& direction, double begin, double end, bool secondary) {
@@ -78,13 +79,14 @@ layout::QueryRay packRay(const dvec3& point, const dvec3& direction, double begi
 RayBlock::RayBlock(gpu::Device& device, const RayPipelines& pipelines, const DeviceScene& scene,
                    const RayWishes& wishes, std::uint32_t objects, std::uint32_t capacity)
     : pipelines_(pipelines),
+      absent_(device, scene.tiles(), capacity),
       rays_(hostBuffer(device, std::uint64_t(capacity) * objects * sizeof(layout::QueryRay), "rays")),
       hits_(hostBuffer(device, capacity * sizeof(layout::QueryHit), "answers")),
       looks_(hostBuffer(device, (wishes.looks() ? capacity : 1u) * sizeof(layout::QueryLook), "looks")),
       retry_list_(device, gpu::Buffer::Usage::Storage, gpu::Buffer::Place::Device,
                   sizeof(layout::RetryHead) + capacity * sizeof(layout::RetryPixel), "rays to retry"),
       head_(device, gpu::Buffer::Usage::Staging, gpu::Buffer::Place::Host, sizeof(layout::RetryHead), "retry head"),
-      set_(device, pipelines.first(), bindAll(scene, {&rays_, &retry_list_, &hits_, &looks_}), "query"),
+      set_(device, pipelines.first(), bindAll(scene, {&rays_, &retry_list_, &absent_.buffer(), &hits_, &looks_}), "query"),
       batch_(device, "query") {}
 
 std::span<layout::QueryRay> RayBlock::rays() {
@@ -103,10 +105,27 @@ void RayBlock::trace(std::uint32_t count, std::uint32_t first, std::uint32_t see
     if (count == 0) return;
     rays_.flush();
     const layout::QueryParams params = {.count = count, .first = first, .seed = seed, .pad0 = 0};
+    retried_ = 0;
     batch_.write(retry_list_, &kEmptyRetryList, sizeof(kEmptyRetryList));
+    absent_.reset(batch_);
     batch_.bind(pipelines_.first(), set_);
     batch_.push(params);
     batch_.dispatch((count + kGroup - 1) / kGroup, 1, 1);
+    finish(params);
+    absent_.settle([&](std::uint32_t listed) {
+        batch_.write(retry_list_, &kEmptyRetryList, sizeof(kEmptyRetryList));
+        batch_.bind(*pipelines_.listed(), set_);
+        batch_.push(params);
+        const std::uint32_t group_count = (listed + kGroup - 1) / kGroup;
+        batch_.dispatch(std::min(group_count, std::uint32_t(RETRY_ROW)), (group_count + RETRY_ROW - 1) / RETRY_ROW, 1);
+        finish(params);
+    });
+    hits_.invalidate();
+    looks_.invalidate();
+}
+
+// The rays that the dispatch before leaves; then runs both.
+void RayBlock::finish(const layout::QueryParams& params) {
     if (const gpu::ComputePipeline* full = pipelines_.full()) {
         batch_.bind(*full, set_);
         batch_.push(params);
@@ -115,11 +134,9 @@ void RayBlock::trace(std::uint32_t count, std::uint32_t first, std::uint32_t see
     batch_.copy(retry_list_, head_, sizeof(layout::RetryHead));
     batch_.submit();
     head_.invalidate();
-    hits_.invalidate();
-    looks_.invalidate();
     layout::RetryHead head;
     std::memcpy(&head, head_.mapped().data(), sizeof(head));
-    retried_ = head.count;
+    retried_ += head.count;
 }
 
 }  // namespace dsphere

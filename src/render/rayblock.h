@@ -3,6 +3,7 @@
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
 #include "gpu/pipeline.h"
+#include "render/absentlist.h"
 #include "render/devicescene.h"
 
 #include <future>
@@ -27,8 +28,11 @@ class RayPipelines {
     /// Null: there is none, the scene has no displaced sphere.
     const gpu::ComputePipeline* full() const { return full_.valid() ? &full_.get() : nullptr; }
 
+    /// first() for rays from the list of AbsentList; null unless the scene has maps in tiles.
+    const gpu::ComputePipeline* listed() const { return listed_ ? &*listed_ : nullptr; }
+
   private:
-    std::optional<gpu::ComputePipeline> first_;
+    std::optional<gpu::ComputePipeline> first_, listed_;
     std::shared_future<gpu::ComputePipeline> full_;
 };
 
@@ -52,7 +56,10 @@ class RayBlock {
     std::uint32_t retried() const { return retried_; }
 
   private:
+    void finish(const layout::QueryParams& params);
+
     const RayPipelines& pipelines_;
+    AbsentList absent_;
     gpu::Buffer rays_, hits_, looks_, retry_list_, head_;
     gpu::BindingSet set_;
     gpu::Batch batch_;

@@ -4,6 +4,8 @@
 #include <concepts>
 #include <type_traits>
 
+#include "surface/tiledheights.h"
+
 namespace dsphere {
 
 namespace {
@@ -115,7 +117,10 @@ struct Walk {
     }
     void add(const Heightmap& map) {
         all(map.width, map.height, map.registration, map.longitude_origin, map.full_scale);
-        hash.bytes(map.samples.data(), map.samples.size() * sizeof(float));
+        if (map.tiled)
+            add(map.tiled->source().identity());
+        else
+            hash.bytes(map.samples.data(), map.samples.size() * sizeof(float));
     }
     void add(const ColourMap& image) {
         all(image.width(), image.height());

@@ -6,11 +6,14 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "base/limits.h"
 #include "geo/readmap.h"
 #include "surface/blur.h"
 #include "surface/fill.h"
 #include "surface/preparemap.h"
+#include "surface/surveycache.h"
+#include "surface/tiledheights.h"
 
 namespace dsphere {
 namespace {
@@ -44,6 +47,11 @@ std::string describeTexel(const Heightmap& map, std::size_t index) {
         throwInvalid(
             "{}: the displaced radius is {} where the ripples are {}, expected it to be positive and finite "
             "everywhere (lower maxdispl, or change midlevel or heightmin and heightmax)",
+            where.text(), radius, stored);
+    if (map.tiled)
+        throwInvalid(
+            "{}: the displaced radius is {} where the map holds {}; expected it to be positive and finite at every "
+            "texel (lower maxdispl, or change midlevel or heightmin and heightmax)",
             where.text(), radius, stored);
     const auto found = std::ranges::find(map.samples, stored);
     throwInvalid(
@@ -98,26 +106,38 @@ Notice exaggerationNote(const TrueScale& scale, const Heightmap& map) {
                     map.path, *map.facts.radius, scale.exaggeration)};
 }
 
-Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape) {
-    assert(raw.width > 0 && raw.height > 0);
-    assert(raw.samples.size() == std::size_t(raw.width) * std::size_t(raw.height));
-    prepareMap(raw, shape);
+namespace {
+
+/// All but the heights.
+Heightmap headOf(RawMap raw, const DisplacedSphere& shape) {
     Heightmap map;
     map.width = raw.width;
     map.height = raw.height;
     map.registration = shape.registration.value_or(raw.gridline ? Registration::Gridline : Registration::Texel);
     map.longitude_origin = shape.longitude_origin.value_or(raw.longitude_origin.value_or(-180.0));
     map.full_scale = raw.full_scale;
-    map.samples = std::move(raw.samples);
     map.path = shape.map_path;
-    map.type = std::move(raw.type);
-    map.facts = std::move(raw.facts);
+    map.type = raw.type;
+    map.facts = raw.facts;
     tellSources(map, raw, shape);
-    map.notices = std::move(raw.notices);
-    const Nodata nodata(shape.nodata, raw.unknown_are_nan);
+    map.notices = raw.notices;
     if (map.registration == Registration::Gridline && map.height < 2)
         throwInvalid("{}: a map of gridline registration has {} row, expected at least 2, one at each pole", map.path,
                      map.height);
+    return map;
+}
+
+}  // namespace
+
+Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape) {
+    assert(raw.width > 0 && raw.height > 0);
+    assert(raw.samples.size() == std::size_t(raw.width) * std::size_t(raw.height));
+    prepareMap(raw, shape);
+    std::vector<float> samples = std::move(raw.samples);
+    raw.samples.clear();
+    Heightmap map = headOf(raw, shape);
+    map.samples = std::move(samples);
+    const Nodata nodata(shape.nodata, raw.unknown_are_nan);
     fill(map, nodata);
     if (shape.blur > 0.0) blurMap(map.samples, map.width, map.height, shape.blur);
     map.north_pole = meanOfRow(map, 0);
@@ -137,7 +157,60 @@ Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape) {
     return map;
 }
 
-Heightmap loadHeightmap(const DisplacedSphere& shape) {
+namespace {
+
+/// Of all that gaps and survey depend on.
+std::uint64_t surveyKey(const geo::LargeMap& source, const Heightmap& map, const DisplacedSphere& shape) {
+    const std::string text = fmt::format("{} {} {} {} {} {}", source.identity(), int(source.kind()), map.width,
+                                         map.height, int(map.registration), map.longitude_origin) +
+                             (shape.nodata ? fmt::format(" nodata {}", *shape.nodata) : "");
+    Hash hash;
+    hash.bytes(text.data(), text.size());
+    return hash.value();
+}
+
+}  // namespace
+
+float Heightmap::tiledAt(int i, int j) const {
+    return tiled->at(i, j);
+}
+
+Heightmap makeTiledHeightmap(std::shared_ptr<const geo::LargeMap> source, const DisplacedSphere& shape) try {
+    Heightmap map = headOf(source->head(), shape);
+    const std::uint64_t key = surveyKey(*source, map, shape);
+    std::optional<std::pair<Gaps, Survey>> known = SurveyCache::load(key);
+    if (!known) {
+        const bool may_lack = source->unknownCode() || source->head().unknown_are_nan || shape.nodata ||
+                              source->kind() == geo::SampleKind::Float32;
+        Gaps gaps = may_lack ? Gaps(*source, Nodata(shape.nodata, source->head().unknown_are_nan)) : Gaps();
+        Survey survey = surveyMap(*source, gaps, NodeGrid(map));
+        SurveyCache::keep(key, gaps, survey);
+        known.emplace(std::move(gaps), std::move(survey));
+    }
+    auto tiled = std::make_shared<TiledHeights>(std::move(source), std::move(known->first));
+    map.nodata_count = std::size_t(tiled->gaps().unknown());
+    const Survey& survey = known->second;
+    map.north_pole = survey.north_pole;
+    map.south_pole = survey.south_pole;
+    map.least = survey.least;
+    map.greatest = survey.greatest;
+    warnOfNodata(map.notices, shape,
+                 {survey.least, survey.second_least, survey.greatest, survey.at_least,
+                  std::uint64_t(map.width) * std::uint64_t(map.height)});
+    tiled->setSurvey(std::move(known->second));
+    map.tiled = std::move(tiled);
+    return map;
+} catch (const Error& error) {
+    if (std::string(error.what()).find(shape.map_path) != std::string::npos) throw;
+    throw Error(error.code(), shape.map_path + ": " + error.what());
+}
+
+Heightmap loadHeightmap(const DisplacedSphere& shape, std::uint64_t most_held) {
+    const bool may_stay = shape.filter == Filter::Bilinear && !shape.smooth_normals && shape.blur == 0.0;
+    if (!shape.map_path.empty() && may_stay)
+        if (auto large = geo::openLargeMap(shape.map_path, shape.band, most_held + 1);
+            large && large->head().width >= NodeGrid::kLeastWidth && large->head().height >= NodeGrid::kLeastRows)
+            return makeTiledHeightmap(std::move(large), shape);
     if (!shape.map_path.empty()) return makeHeightmap(geo::readMap(shape.map_path, shape.band), shape);
     DisplacedSphere smooth = shape;
     smooth.registration = Registration::Texel;  // a single value has no grid lines

@@ -1,11 +1,16 @@
 #pragma once
 
+#include "geo/largemap.h"
 #include "image/rawmap.h"
 #include "scene/scene.h"
 
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace dsphere {
+
+class TiledHeights;
 
 /// Node values of a reconstruction that is watertight at the seam and the poles, in the file's stored units.
 ///
@@ -17,7 +22,9 @@ struct Heightmap {
     Registration registration = Registration::Texel;
     double longitude_origin = -180.0;  ///< degrees; the u of the left edge is (longitude_origin + 180) / 360
     double full_scale = 1.0;           ///< the stored value that means h = 1 unless the scene says otherwise
-    std::vector<float> samples;        ///< row-major, first row northmost; all finite
+    std::vector<float> samples;        ///< row-major, first row northmost; all finite; empty where `tiled` is set
+    /// Of a map that stays in its file: the samples' place.
+    std::shared_ptr<const TiledHeights> tiled;
     float north_pole = 0.0f, south_pole = 0.0f;
     float least = 0.0f, greatest = 0.0f;  ///< of all samples
     std::size_t nodata_count = 0;         ///< texels that held the shape's nodata value, before they were filled
@@ -26,14 +33,25 @@ struct Heightmap {
     Notices notices;                 ///< the reader's, and those of what was made of the map
     std::optional<Ripples> ripples;  ///< the closed form that takes the samples' place, 0 to 1
 
-    float at(int i, int j) const { return samples[std::size_t(j) * std::size_t(width) + std::size_t(i)]; }
+    float at(int i, int j) const {
+        return tiled ? tiledAt(i, j) : samples[std::size_t(j) * std::size_t(width) + std::size_t(i)];
+    }
+
+  private:
+    float tiledAt(int i, int j) const;
 };
 
 /// Reads the shape's map, prepares it (prepareMap), fills its unknown texels (fillNodata), then blurs it (blurMap),
 /// then forms the poles; applies its registration and longitude origin (the scene's, else the file's own, else texel
 /// and -180). An empty map path gives a 1x1 map of 0. Throws Error (InvalidInput): unreadable file, nothing but unknown
 /// texels, gridline registration with fewer than 2 rows.
-Heightmap loadHeightmap(const DisplacedSphere& shape);
+///
+/// A map of more texels than `most_held` stays in its file (`tiled`) where its format and the shape let it: not with a
+/// B-spline's surface or normals, nor blurred.
+Heightmap loadHeightmap(const DisplacedSphere& shape, std::uint64_t most_held = geo::kLargeMapTexels);
+
+/// Of a map in its file. As loadHeightmap.
+Heightmap makeTiledHeightmap(std::shared_ptr<const geo::LargeMap> source, const DisplacedSphere& shape);
 
 /// The same from samples already in memory (tests, generated maps).
 Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape);

@@ -1,6 +1,7 @@
 #include "surface/levels.h"
 
 #include "base/parallel.h"
+#include "surface/tiledheights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,26 +88,50 @@ void averageNodes(Heightmap& half, const Heightmap& map) {
 
 }  // namespace
 
+namespace {
+
+/// A map of the same ground, with other samples to come.
+Heightmap levelOf(const Heightmap& map, int width, int height) {
+    Heightmap level;
+    level.width = width;
+    level.height = height;
+    level.registration = map.registration;
+    level.longitude_origin = map.longitude_origin;
+    level.full_scale = map.full_scale;
+    level.path = map.path;
+    level.type = map.type;
+    level.north_pole = map.north_pole;
+    level.south_pole = map.south_pole;
+    return level;
+}
+
+void findRange(Heightmap& map) {
+    const auto [least, greatest] = std::ranges::minmax(map.samples);
+    map.least = least;
+    map.greatest = greatest;
+}
+
+}  // namespace
+
 std::optional<Heightmap> halved(const Heightmap& map) {
     bool texel = map.registration == Registration::Texel;
     int rows = texel ? map.height : map.height - 1;
     if (map.width % 2 || rows % 2 || map.width / 2 < NodeGrid::kLeastWidth || rows / 2 < NodeGrid::kLeastRows)
         return std::nullopt;
-    Heightmap half;
-    half.width = map.width / 2;
-    half.height = texel ? rows / 2 : rows / 2 + 1;
-    half.registration = map.registration;
-    half.longitude_origin = map.longitude_origin;
-    half.full_scale = map.full_scale;
-    half.path = map.path;
-    half.type = map.type;
+    Heightmap half = levelOf(map, map.width / 2, texel ? rows / 2 : rows / 2 + 1);
     texel ? averageTexels(half, map) : averageNodes(half, map);
-    half.north_pole = map.north_pole;
-    half.south_pole = map.south_pole;
-    const auto [least, greatest] = std::ranges::minmax(half.samples);
-    half.least = least;
-    half.greatest = greatest;
+    findRange(half);
     return half;
+}
+
+std::optional<Heightmap> reducedMap(const Heightmap& map) {
+    const Survey& survey = map.tiled->survey();
+    if (survey.reduction == 0) return std::nullopt;
+    const int width = map.width / survey.reduction;
+    Heightmap reduced = levelOf(map, width, int(survey.reduced.size() / std::size_t(width)));
+    reduced.samples = survey.reduced;
+    findRange(reduced);
+    return reduced;
 }
 
 double greatestDifference(const NodeGrid& a, const NodeGrid& b) {

@@ -96,7 +96,7 @@ double NodeGrid::mapRow(int j) const {
 }
 
 const float* NodeGrid::row(int j) const {
-    assert(j >= 0 && j <= rows_ && !map_.ripples);
+    assert(j >= 0 && j <= rows_ && !map_.ripples && !map_.tiled);
     if (!fine_.empty()) return &fine_[std::size_t(j) * std::size_t(width_)];
     if (half_caps_) {
         if (j == 0) return north_.data();
@@ -104,6 +104,12 @@ const float* NodeGrid::row(int j) const {
         --j;
     }
     return &map_.samples[std::size_t(j) * std::size_t(width_)];
+}
+
+float NodeGrid::tiledNode(int i, int j) const {
+    if (j == 0) return map_.north_pole;
+    if (j == rows_) return map_.south_pole;
+    return map_.at(i, half_caps_ ? j - 1 : j);
 }
 
 double NodeGrid::cellWidth() const {

@@ -27,8 +27,11 @@ class NodeGrid {
     /// height - 1 lie in the caps (the pole at -0.5 and height - 0.5).
     double mapColumn(int i) const;
     double mapRow(int j) const;
-    /// `width()` stored values; row 0 is the north pole's, row rows() the south pole's. None for ripples.
+    /// `width()` stored values; row 0 is the north pole's, row rows() the south pole's. None for ripples
+    /// and for a map that stays in its file.
     const float* row(int j) const;
+    /// The stored value of a node; of a map that stays in its file, which has no rows, too.
+    float at(int i, int j) const { return map_.tiled ? tiledNode(i, j) : row(j)[i]; }
 
     double cellWidth() const;                 ///< radians of longitude
     double cellHeight() const;                ///< radians of latitude, of a row that is no cap
@@ -38,6 +41,7 @@ class NodeGrid {
     double nodeRow(double colatitude) const;  ///< fractional, as if caps were whole rows; its floor is the cell row
 
   private:
+    float tiledNode(int i, int j) const;
     void subdivide();
     void spanRipples();
 

@@ -34,24 +34,15 @@ void markUnknown(RawMap& map, const DisplacedSphere& shape) {
         count, map.samples.size(), value, index % width, index / width);
 }
 
-/// Values that maps hold for "unknown" without saying so. They are warned of where they lie far below all others.
-void warnOfNodata(RawMap& map, const DisplacedSphere& shape) {
-    constexpr std::array kUsual{-9999.0f, -99999.0f, -32767.0f, -32768.0f};
-    constexpr float kHuge = -1e20f;
-    if (shape.nodata) return;
+/// Of all texels of a map.
+LowestValues lowestValuesOf(const RawMap& map) {
     float least = HUGE_VALF, next = HUGE_VALF, greatest = -HUGE_VALF;
     for (const float stored : map.samples) {
         if (stored < least) next = least, least = stored;
         if (stored > least && stored < next) next = stored;
         if (stored > greatest) greatest = stored;
     }
-    const bool usual = std::ranges::find(kUsual, least) != kUsual.end() || least < kHuge;
-    const float gap = next - least, range = greatest - next;
-    if (!usual || next == HUGE_VALF || gap < 0.25f * range) return;
-    say(map, shape, Notice::Kind::Warning,
-        "{} of {} texels hold {:.8g}, far below all others, which are {:.8g} to {:.8g}: if that means unknown, say "
-        "\"float nodata\" {:.8g} in the scene, or --nodata",
-        std::ranges::count(map.samples, least), map.samples.size(), least, next, greatest, least);
+    return {least, next, greatest, std::uint64_t(std::ranges::count(map.samples, least)), map.samples.size()};
 }
 
 bool sameSample(float a, float b) {
@@ -113,9 +104,24 @@ void noteGridShape(RawMap& map, const DisplacedSphere& shape) {
 
 }  // namespace
 
+void warnOfNodata(Notices& notices, const DisplacedSphere& shape, const LowestValues& values) {
+    constexpr std::array kUsual{-9999.0f, -99999.0f, -32767.0f, -32768.0f};
+    constexpr float kHuge = -1e20f;
+    if (shape.nodata) return;
+    const auto& [least, next, greatest, at_least, texels] = values;
+    const bool usual = std::ranges::find(kUsual, least) != kUsual.end() || least < kHuge;
+    const float gap = next - least, range = greatest - next;
+    if (!usual || next == HUGE_VALF || gap < 0.25f * range) return;
+    notices.push_back(
+        {Notice::Kind::Warning,
+         fmt::format("{}: {} of {} texels hold {:.8g}, far below all others, which are {:.8g} to {:.8g}: if that means "
+                     "unknown, say \"float nodata\" {:.8g} in the scene, or --nodata",
+                     shape.map_path, at_least, texels, least, next, greatest, least)});
+}
+
 void prepareMap(RawMap& map, const DisplacedSphere& shape) {
     markUnknown(map, shape);
-    warnOfNodata(map, shape);
+    warnOfNodata(map.notices, shape, lowestValuesOf(map));
     dropRepeatedColumn(map, shape);
     noteGridShape(map, shape);
 }

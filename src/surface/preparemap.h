@@ -4,6 +4,7 @@
 #include "scene/scene.h"
 
 #include <cmath>
+#include <cstdint>
 
 namespace dsphere {
 
@@ -22,5 +23,14 @@ inline bool isHeight(float stored) {
 /// - Nothing is done about a common nodata value far below all others, nor about the shape of a map on grid lines
 ///   without the repeated column, but they are told.
 void prepareMap(RawMap& map, const DisplacedSphere& shape);
+
+/// Of a map's known texels, as stored.
+struct LowestValues {
+    float least, second_least, greatest;  ///< second_least: the least above `least`; infinite: there is none
+    std::uint64_t at_least, texels;       ///< how many hold `least`; how many there are
+};
+
+/// Tells of a common nodata value far below all others that nothing declares.
+void warnOfNodata(Notices& notices, const DisplacedSphere& shape, const LowestValues& values);
 
 }  // namespace dsphere

@@ -48,7 +48,11 @@ void gather(ErrorList& errors, Load load) {
 /// Loads a scene's files, all of them: what is wrong with any is gathered.
 class Loader {
   public:
-    explicit Loader(const Scene& scene) : scene_(scene) {}
+    Loader(const Scene& scene, std::uint64_t memory_limit) : scene_(scene) {
+        result_.memory_limit = memory_limit;
+        constexpr std::uint64_t kBytesHeld = 2 * sizeof(float);  // of a texel, on the host and on the device
+        if (memory_limit > 0) most_held_ = std::min(most_held_, memory_limit / kBytesHeld);
+    }
 
     SceneMaps load() {
         for (const Shape& shape : scene_.shapes) {
@@ -81,7 +85,7 @@ class Loader {
         if (found == owners_.end()) {
             bad_maps_.push_back(sphere);
             result_.maps.push_back(
-                loadAt(scene_, shape.where, sphere->map_path, [&] { return loadHeightmap(*sphere); }));
+                loadAt(scene_, shape.where, sphere->map_path, [&] { return loadHeightmap(*sphere, most_held_); }));
             bad_maps_.pop_back();
             owners_.push_back(sphere);
         }
@@ -122,6 +126,7 @@ class Loader {
     }
 
     const Scene& scene_;
+    std::uint64_t most_held_ = geo::kLargeMapTexels;
     SceneMaps result_;
     ErrorList errors_;
     std::vector<const DisplacedSphere*> owners_;    // of the maps, by index
@@ -154,8 +159,8 @@ std::vector<const ColourMap*> SceneMaps::imagePerShape() const {
     return pointers;
 }
 
-SceneMaps loadSceneMaps(const Scene& scene) {
-    return Loader(scene).load();
+SceneMaps loadSceneMaps(const Scene& scene, std::uint64_t memory_limit) {
+    return Loader(scene, memory_limit).load();
 }
 
 }  // namespace dsphere

@@ -16,6 +16,7 @@ struct SceneMaps {
     std::vector<std::unique_ptr<ColourMap>> images;
     std::vector<int> image_of_shape;  ///< index in `images`, -1: no image; may be shorter than the shapes
     int light_image = -1;             ///< index in `images` of the infinite light's, -1: it has none
+    std::uint64_t memory_limit = 0;   ///< loadSceneMaps'
 
     /// Those of all maps, in the maps' order.
     Notices notices() const;
@@ -32,6 +33,9 @@ struct SceneMaps {
 /// Loads every map and image of the scene; what is wrong with several comes in one error. Errors as loadHeightmap,
 /// makeRelief and loadColourMap, prefixed by the place in the scene of the shape or the image's name; also for an
 /// infinite light's image that is square or negative.
-SceneMaps loadSceneMaps(const Scene& scene);
+///
+/// `memory_limit`: bytes that a map and its copy on the device may take together, else it stays in its file (see
+/// loadHeightmap), and that heights on the device take at most; 0: as many as are there.
+SceneMaps loadSceneMaps(const Scene& scene, std::uint64_t memory_limit = 0);
 
 }  // namespace dsphere

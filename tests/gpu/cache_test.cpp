@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "base/cachefolder.h"
 #include "gpu/buffer.h"
 #include "gpu/pipeline.h"
 #include "shaders/affine.spv.h"
@@ -94,14 +95,14 @@ TEST_F(PipelineCacheTest, FolderFollowsTheBaseDirectoryRules) {
     const ScopedVariable home("HOME", "/somewhere");
     {
         const ScopedVariable cache("XDG_CACHE_HOME", "/elsewhere");
-        EXPECT_EQ(PipelineCache::folder(), "/elsewhere/dsphere");
+        EXPECT_EQ(cacheFolder(), "/elsewhere/dsphere");
     }
     for (const char* ignored : {"", "relative/path", static_cast<const char*>(nullptr)}) {
         const ScopedVariable cache("XDG_CACHE_HOME", ignored);
-        EXPECT_EQ(PipelineCache::folder(), "/somewhere/.cache/dsphere");
+        EXPECT_EQ(cacheFolder(), "/somewhere/.cache/dsphere");
     }
     const ScopedVariable no_cache("XDG_CACHE_HOME", nullptr), no_home("HOME", nullptr);
-    EXPECT_TRUE(PipelineCache::folder().empty());
+    EXPECT_TRUE(cacheFolder().empty());
     run();
 }
 

@@ -18,8 +18,13 @@ using vec2 = glm::tvec2<real>;
 using vec3 = glm::tvec3<real>;
 using vec4 = glm::tvec4<real>;
 
-inline real heightAt(const MapData&, int column, int row) {
-    return real(current_resources->nodes->row(row)[column]);
+inline vec4 cornersAt(const MapData& map, const ivec2& cell) {
+    const float *north = current_resources->nodes->row(cell.y), *south = current_resources->nodes->row(cell.y + 1);
+    const int next = cell.x + 1 == map.width ? 0 : cell.x + 1;
+    return vec4(north[cell.x], north[next], south[cell.x], south[next]);
+}
+inline bool missesTile() {
+    return false;
 }
 inline int faceRow(const MapData&, int axis, real sign_of_face) {
     return axis * 2 + (sign_of_face < real(0) ? 1 : 0);

@@ -1,0 +1,173 @@
+#include "render/tilepool.h"
+
+#include "base/parallel.h"
+#include "gpu/device.h"
+#include "surface/tiledheights.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+
+namespace dsphere {
+
+namespace {
+
+constexpr int kSlotsAcross = 8, kSlotsDown = 4;  // of a layer
+constexpr std::size_t kReadAtOnce = 32;          // tiles that the host holds while they are read
+
+int shiftOf(int width) {
+    return width > 8192 ? 9 : 8;
+}
+
+int samplesOf(geo::SampleKind kind) {
+    switch (kind) {
+        case geo::SampleKind::UInt16: return SAMPLES_UINT16;
+        case geo::SampleKind::Int16: return SAMPLES_INT16;
+        case geo::SampleKind::Float32: return SAMPLES_FLOAT;
+    }
+    return SAMPLES_FLOAT;
+}
+
+/// Words of a tile's row of side + 1 samples.
+int wordsOf(geo::SampleKind kind, int side) {
+    return kind == geo::SampleKind::Float32 ? side + 1 : side / 2 + 1;
+}
+
+}  // namespace
+
+std::uint32_t TilePool::Layout::width() const {
+    return std::uint32_t(std::max(slots_x * words, table_columns));
+}
+
+std::uint32_t TilePool::Layout::height() const {
+    return std::uint32_t(table_rows + slots_y * (side() + 1));
+}
+
+TilePool::Layout TilePool::layoutOf(const gpu::Device& device, const PackedScene& packed) {
+    Layout layout;
+    for (std::size_t i = 0; i < packed.nodes.size(); ++i) {
+        const Heightmap& map = packed.nodes[i]->map();
+        if (!map.tiled) continue;
+        layout.maps.push_back({.map = &map, .nodes = packed.nodes[i].get(), .index = int(i), .table = {}});
+        layout.shift = std::max(layout.shift, shiftOf(map.width));
+    }
+    if (layout.maps.empty()) return layout;
+    std::uint32_t tiles = 0;
+    for (Map& map : layout.maps) {
+        layout.words = std::max(layout.words, wordsOf(map.map->tiled->kind(), layout.side()));
+        map.across = (map.nodes->width() + layout.side() - 1) >> layout.shift;
+        map.down = (map.nodes->rows() + layout.side() - 1) >> layout.shift;
+        map.first_tile = tiles;
+        map.table_y = layout.table_rows;
+        map.table.assign(std::size_t(map.across) * std::size_t(map.down), NO_TILE);
+        layout.table_columns = std::max(layout.table_columns, map.across);
+        layout.table_rows += map.down;
+        tiles += std::uint32_t(map.table.size());
+    }
+    const std::uint64_t bytes = std::uint64_t(layout.words) * std::uint64_t(layout.side() + 1) * 4;
+    const std::uint64_t whole = packed.memory_limit > 0 ? packed.memory_limit : device.limits().memory_heap_size;
+    const std::uint64_t room = std::min(whole / 2, device.limits().max_allocation_size / 8 * 7);
+    const std::uint64_t slots = std::min<std::uint64_t>(tiles, std::max<std::uint64_t>(room / bytes, kLeastSlots));
+    layout.slots_x = int(std::min<std::uint64_t>(slots, kSlotsAcross));
+    layout.slots_y = int(std::min<std::uint64_t>((slots + kSlotsAcross - 1) / kSlotsAcross, kSlotsDown));
+    const std::uint64_t of_layer = std::uint64_t(layout.slots_x) * std::uint64_t(layout.slots_y);
+    layout.layers = int(std::clamp<std::uint64_t>(slots / of_layer, 1, device.limits().max_image_array_layers));
+    return layout;
+}
+
+TilePool::TilePool(gpu::Device& device, const PackedScene& packed) : TilePool(device, layoutOf(device, packed)) {}
+
+TilePool::TilePool(gpu::Device& device, Layout layout)
+    : layout_(std::move(layout)),
+      image_(device, gpu::Format::R32Uint, layout_.width(), layout_.height(), std::uint32_t(layout_.layers), "tiles") {
+    if (empty()) return;
+    slots_.resize(std::size_t(layout_.slots_x) * std::size_t(layout_.slots_y) * std::size_t(layout_.layers));
+    for (std::uint32_t slot = 0; slot < slots(); ++slot) order_.push_back(slot);
+    uploadTables();
+}
+
+void TilePool::place(layout::MapData& data, int index) const {
+    const auto found = std::ranges::find(maps_, index, &Map::index);
+    if (found == maps_.end()) return;
+    data.tile_shift = layout_.shift;
+    data.table_y = found->table_y;
+    data.tiles_y = layout_.table_rows;
+    data.first_tile = int(found->first_tile);
+    data.tile_words = layout_.words;
+    data.samples = samplesOf(found->map->tiled->kind());
+}
+
+std::uint64_t TilePool::tileBytes() const {
+    return std::uint64_t(layout_.words) * std::uint64_t(layout_.side() + 1) * 4;
+}
+
+TilePool::Map& TilePool::mapOf(std::uint32_t tile) {
+    const auto after = std::ranges::upper_bound(maps_, tile, {}, &Map::first_tile);
+    return *(after - 1);
+}
+
+std::uint32_t& TilePool::entryOf(std::uint32_t tile) {
+    Map& map = mapOf(tile);
+    return map.table[tile - map.first_tile];
+}
+
+std::vector<std::uint32_t> TilePool::readTile(std::uint32_t tile) {
+    const Map& map = mapOf(tile);
+    const TiledHeights& heights = *map.map->tiled;
+    const int number = int(tile - map.first_tile), side = layout_.side(), edge = side + 1;
+    // Row 0 of the grid's nodes is the north pole of a map of texels.
+    const int row = number / map.across * side - (map.nodes->halfCaps() ? 1 : 0);
+    const int bytes = geo::bytesOf(heights.kind());
+    std::vector<std::byte> samples(std::size_t(edge) * std::size_t(edge) * std::size_t(bytes));
+    heights.read(number % map.across * side, row, edge, edge, samples.data());
+    std::vector<std::uint32_t> words(std::size_t(layout_.words) * std::size_t(edge));
+    const std::size_t row_bytes = std::size_t(edge) * std::size_t(bytes);
+    for (std::size_t j = 0; j < std::size_t(edge); ++j)
+        std::memcpy(&words[j * std::size_t(layout_.words)], &samples[j * row_bytes], row_bytes);
+    return words;
+}
+
+void TilePool::uploadTile(std::uint32_t slot, const std::vector<std::uint32_t>& words) {
+    const std::uint32_t across = std::uint32_t(layout_.slots_x), down = std::uint32_t(layout_.slots_y);
+    const std::uint32_t x = slot % across, y = slot / across % down, layer = slot / (across * down);
+    const std::uint32_t edge = std::uint32_t(layout_.side() + 1);
+    image_.upload(layer, x * std::uint32_t(layout_.words), std::uint32_t(layout_.table_rows) + y * edge,
+                  std::uint32_t(layout_.words), edge, words.data());
+    entryOf(slots_[slot].tile) = x | y << 8 | layer << 16;
+}
+
+void TilePool::uploadTables() {
+    for (const Map& map : maps_)
+        image_.upload(0, 0, std::uint32_t(map.table_y), std::uint32_t(map.across), std::uint32_t(map.down),
+                      map.table.data());
+}
+
+void TilePool::unpin() {
+    ++turn_;
+}
+
+bool TilePool::load(std::vector<std::uint32_t> tiles) {
+    std::ranges::sort(tiles);
+    tiles.erase(std::ranges::unique(tiles).begin(), tiles.end());
+    std::erase_if(tiles, [&](std::uint32_t tile) { return entryOf(tile) != NO_TILE; });
+    std::vector<std::uint32_t> chosen;  // a slot for each
+    for (std::uint32_t tile : tiles) {
+        const std::uint32_t slot = order_.front();
+        if (slots_[slot].pinned == turn_) break;
+        order_.splice(order_.end(), order_, order_.begin());
+        if (slots_[slot].tile != kFree) entryOf(slots_[slot].tile) = NO_TILE;
+        slots_[slot] = {tile, turn_};
+        chosen.push_back(slot);
+    }
+    for (std::size_t first = 0; first < chosen.size(); first += kReadAtOnce) {
+        const std::size_t count = std::min(kReadAtOnce, chosen.size() - first);
+        std::vector<std::vector<std::uint32_t>> read(count);
+        parallelFor(count, [&](std::size_t i) { read[i] = readTile(slots_[chosen[first + i]].tile); });
+        for (std::size_t i = 0; i < count; ++i) uploadTile(chosen[first + i], read[i]);
+    }
+    loads_ += chosen.size();
+    uploadTables();
+    return chosen.size() == tiles.size();
+}
+
+}  // namespace dsphere
