@@ -92,39 +92,57 @@ int boundsSide(int columns) {
     return std::clamp(int(side), 64, 1024);
 }
 
+namespace {
+
+// `set(face, i, j, displacement)`.
+template <typename Set>
+void fillFromSurvey(int side, const Relief& relief, const CellExtremes& extremes, const Set& set) {
+    const std::vector<float>& values = relief.scale < 0.0 ? extremes.least : extremes.greatest;
+    parallelFor(std::size_t(6 * side), [&](std::size_t row) {
+        const int face = int(row) / side, j = int(row) % side;
+        for (int i = 0; i < side; ++i) set(face, i, j, relief.scale * double(values[extremes.index(face, i, j)]));
+    });
+}
+
+template <typename Set>
+void fillFromNodes(int side, const Relief& relief, const NodeGrid& nodes, const Set& set) {
+    const CubeCells cells(side);
+    const auto fill = [&](const auto& displacement) {
+        parallelFor(std::size_t(side), [&](std::size_t n) {
+            cells.visitLine(int(n),
+                            [&](int face, int i, int j, const Footprint& box) { set(face, i, j, displacement(box)); });
+        });
+    };
+    if (nodes.map().ripples) {
+        fill([&](const Footprint& box) {
+            Interval h = rippleRange(nodes.map(), {box.longitude.low, box.longitude.high},
+                                     {box.colatitude.low, box.colatitude.high});
+            return std::max(relief.scale * h.low, relief.scale * h.high);
+        });
+    } else {
+        const Hull hull(nodes, relief);
+        fill([&](const Footprint& box) { return greatestDisplacement(hull, relief.scale, box); });
+    }
+}
+
+}  // namespace
+
 Bounds buildBounds(const NodeGrid& nodes, const Relief& relief) {
     Bounds bounds;
     bounds.side = boundsSide(nodes.width());
     bounds.levels = std::bit_width(unsigned(bounds.side));
     bounds.squared.assign(std::size_t(bounds.side) * std::size_t(bounds.imageHeight()), 0.0f);
-    const CubeCells cells(bounds.side);
-    // `displacement(face, i, j, footprint)` is the greatest stored value, times scale.
-    const auto fillFinest = [&](const auto& displacement) {
-        parallelFor(std::size_t(bounds.side), [&](std::size_t n) {
-            cells.visitLine(int(n), [&](int face, int i, int j, const Footprint& box) {
-                const double radius = relief.base + displacement(face, i, j, box);
-                const double bound = radius / relief.greatest_radius + Bounds::kSlack;
-                bounds.squared[bounds.index(face, 0, i, j)] =
-                    std::nextafter(float(bound * bound), std::numeric_limits<float>::infinity());
-            });
-        });
+    // `displacement` is the greatest stored value below a cell, times scale.
+    const auto set = [&](int face, int i, int j, double displacement) {
+        const double radius = relief.base + displacement;
+        const double bound = radius / relief.greatest_radius + Bounds::kSlack;
+        bounds.squared[bounds.index(face, 0, i, j)] =
+            std::nextafter(float(bound * bound), std::numeric_limits<float>::infinity());
     };
-    if (nodes.map().ripples) {
-        fillFinest([&](int, int, int, const Footprint& box) {
-            Interval h = rippleRange(nodes.map(), {box.longitude.low, box.longitude.high},
-                                     {box.colatitude.low, box.colatitude.high});
-            return std::max(relief.scale * h.low, relief.scale * h.high);
-        });
-    } else if (const TiledHeights* tiled = nodes.map().tiled.get()) {
-        const CellExtremes& extremes = tiled->survey().cells;
-        fillFinest([&](int face, int i, int j, const Footprint&) {
-            const std::size_t at = extremes.index(face, i, j);
-            return relief.scale * double(relief.scale < 0.0 ? extremes.least[at] : extremes.greatest[at]);
-        });
-    } else {
-        const Hull hull(nodes, relief);
-        fillFinest([&](int, int, int, const Footprint& box) { return greatestDisplacement(hull, relief.scale, box); });
-    }
+    if (const TiledHeights* tiled = nodes.map().tiled.get())
+        fillFromSurvey(bounds.side, relief, tiled->survey().cells, set);
+    else
+        fillFromNodes(bounds.side, relief, nodes, set);
     parallelFor(6, [&](std::size_t face) { fillCoarser(bounds, int(face)); });
     return bounds;
 }
