@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/outputs.h"
 #include "cli/print.h"
+#include "cli/readmaps.h"
 #include "cli/sceneoptions.h"
 #include "cli/signals.h"
 #include "geo/layerwriter.h"
@@ -188,7 +189,7 @@ int runBake(const BakeCommand& options) {
     std::vector<NamedFile> inputs = inputsOf(scene);
     if (!options.suns_file.empty()) inputs.push_back({options.suns_file, "the suns"});
     checkOutputs({{options.outfile, "the map"}}, inputs);
-    const SceneMaps maps = loadSceneMaps(scene);
+    const SceneMaps maps = readMaps(scene, options.scene, options.common);
     if (!options.common.quiet) printNotices(scene.notices), printNotices(maps.notices());
     const query::BakeGrid grid = gridOf(options, scene, maps);
     const auto start = std::chrono::steady_clock::now();

@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/outputs.h"
 #include "cli/print.h"
+#include "cli/readmaps.h"
 #include "cli/sceneoptions.h"
 
 #include <nlohmann/json.hpp>
@@ -82,7 +83,7 @@ int runQuery(const QueryCommand& options) {
     std::vector<NamedFile> inputs = inputsOf(scene);
     inputs.push_back({options.rays, "the rays"});
     checkOutputs({{options.outfile, "the answers"}}, inputs);
-    const SceneMaps maps = loadSceneMaps(scene);
+    const SceneMaps maps = readMaps(scene, options.scene, options.common);
     if (!options.common.quiet) printNotices(scene.notices), printNotices(maps.notices());
     const query::Geography geography(scene, maps, options.frame);
     const auto reader = query::openRays(options.rays, options.format, geography);

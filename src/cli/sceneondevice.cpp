@@ -1,6 +1,7 @@
 #include "cli/sceneondevice.h"
 
 #include "cli/placecamera.h"
+#include "cli/readmaps.h"
 
 #include <future>
 
@@ -8,8 +9,7 @@ namespace dsphere::cli {
 
 SceneOnDevice::SceneOnDevice(Scene& scene, const SceneOptions& placement, const CommonOptions& common,
                              const MarchMethod& method, std::uint32_t planes) {
-    auto reading =
-        std::async(std::launch::async, [&scene, &placement] { return loadSceneMaps(scene, placement.memory_limit); });
+    auto reading = std::async(std::launch::async, [&] { return readMaps(scene, placement, common); });
     std::future<void> compiling;
     try {
         device_.emplace(common);

@@ -6,6 +6,7 @@
 #include "cli/outputs.h"
 #include "cli/placecamera.h"
 #include "cli/print.h"
+#include "cli/readmaps.h"
 #include "cli/sceneoptions.h"
 #include "image/picture.h"
 
@@ -67,7 +68,7 @@ int runVerify(const VerifyOptions& options) {
                   {evidencePath(options, "reference"), "the reference's picture"},
                   {evidencePath(options, "difference"), "the difference"}},
                  inputsOf(scene));
-    SceneMaps maps = loadSceneMaps(scene, options.scene.memory_limit);
+    SceneMaps maps = readMaps(scene, options.scene, options.common);
     placeCamera(scene, maps, options.scene);
     if (!options.common.quiet) {
         printNotices(scene.notices), printNotices(maps.notices());

@@ -60,18 +60,19 @@ std::vector<int> nearestKnown(const std::vector<std::uint8_t>& known) {
 
 template <typename T>
 void readRuns(const geo::LargeMap& map, const Nodata& nodata, std::vector<GapRun>& runs,
-              std::vector<std::uint8_t>& known, std::uint64_t& unknown) {
+              std::vector<std::uint8_t>& known, std::uint64_t& unknown, const SurveyProgress& progress) {
     const int width = map.head().width, height = map.head().height;
     const int band = std::clamp((16 << 20) / width, 1, height);
     std::vector<T> samples(std::size_t(width) * std::size_t(band));
     for (int y = 0; y < height; y += band) {
         const int rows = std::min(band, height - y);
+        if (progress) progress(double(y) / height);
         map.read(0, y, width, rows, samples.data());
         std::vector<std::vector<GapRun>> found(static_cast<std::size_t>(rows));
         std::vector<std::size_t> counts(found.size());
         parallelFor(std::size_t(rows), [&](std::size_t j) {
-            counts[j] = findRuns(&samples[j * std::size_t(width)], width, y + int(j), nodata, map.unknownCode(),
-                                 found[j]);
+            counts[j] =
+                findRuns(&samples[j * std::size_t(width)], width, y + int(j), nodata, map.unknownCode(), found[j]);
         });
         for (std::size_t j = 0; j < found.size(); ++j) {
             unknown += counts[j];
@@ -88,12 +89,18 @@ void readRuns(const geo::LargeMap& map, const Nodata& nodata, std::vector<GapRun
 
 }  // namespace
 
-Gaps::Gaps(const geo::LargeMap& map, const Nodata& nodata) {
+Gaps::Gaps(const geo::LargeMap& map, const Nodata& nodata, const SurveyProgress& progress) {
     std::vector<std::uint8_t> known(std::size_t(map.head().height), 1);
     switch (map.kind()) {
-        case geo::SampleKind::UInt16: readRuns<std::uint16_t>(map, nodata, runs_, known, unknown_); break;
-        case geo::SampleKind::Int16: readRuns<std::int16_t>(map, nodata, runs_, known, unknown_); break;
-        case geo::SampleKind::Float32: readRuns<float>(map, nodata, runs_, known, unknown_); break;
+        case geo::SampleKind::UInt16:
+            readRuns<std::uint16_t>(map, nodata, runs_, known, unknown_, progress);
+            break;
+        case geo::SampleKind::Int16:
+            readRuns<std::int16_t>(map, nodata, runs_, known, unknown_, progress);
+            break;
+        case geo::SampleKind::Float32:
+            readRuns<float>(map, nodata, runs_, known, unknown_, progress);
+            break;
     }
     if (std::ranges::find(known, 1) == known.end())
         throwInvalid("every one of the {}x{} texels is unknown (nodata)", map.head().width, map.head().height);

@@ -7,9 +7,13 @@
 #include "surface/fill.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace dsphere {
+
+/// Called with the share of a pass that is done; throws to stop it.
+using SurveyProgress = std::function<void(double share)>;
 
 /// Unknown texels of one row between two known ones: `count` of them from column `first` on, around the seam if need
 /// be. The first half of them, rounded up, takes the value `left`, the rest `right`.
@@ -24,7 +28,7 @@ class Gaps {
     Gaps() = default;
     /// Reads the whole map once, in bands of rows. Throws Error (InvalidInput) when every texel is unknown, and where
     /// the unknown ones lie in more pieces than kMostRuns.
-    Gaps(const geo::LargeMap& map, const Nodata& nodata);
+    Gaps(const geo::LargeMap& map, const Nodata& nodata, const SurveyProgress& progress = {});
     Gaps(std::vector<GapRun> runs, std::vector<int> row_source, std::uint64_t unknown)
         : runs_(std::move(runs)), row_source_(std::move(row_source)), unknown_(unknown) {}
 
@@ -38,7 +42,7 @@ class Gaps {
     template <typename T>
     void fill(int row, int first, int count, int width, T* samples) const;
 
-    const std::vector<GapRun>& runs() const { return runs_; }            ///< by row
+    const std::vector<GapRun>& runs() const { return runs_; }           ///< by row
     const std::vector<int>& rowSources() const { return row_source_; }  ///< empty: every row is its own
 
   private:

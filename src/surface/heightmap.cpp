@@ -175,15 +175,24 @@ float Heightmap::tiledAt(int i, int j) const {
     return tiled->at(i, j);
 }
 
-Heightmap makeTiledHeightmap(std::shared_ptr<const geo::LargeMap> source, const DisplacedSphere& shape) try {
+Heightmap makeTiledHeightmap(std::shared_ptr<const geo::LargeMap> source, const DisplacedSphere& shape,
+                             const MapProgress& progress) try {
     Heightmap map = headOf(source->head(), shape);
     const std::uint64_t key = surveyKey(*source, map, shape);
     std::optional<std::pair<Gaps, Survey>> known = SurveyCache::load(key);
     if (!known) {
         const bool may_lack = source->unknownCode() || source->head().unknown_are_nan || shape.nodata ||
                               source->kind() == geo::SampleKind::Float32;
-        Gaps gaps = may_lack ? Gaps(*source, Nodata(shape.nodata, source->head().unknown_are_nan)) : Gaps();
-        Survey survey = surveyMap(*source, gaps, NodeGrid(map));
+        const double first_pass = may_lack ? 0.5 : 0.0;
+        const auto pass = [&](double begin, double end) -> SurveyProgress {
+            return [&progress, &shape, begin, end](double share) {
+                if (progress && !progress(shape.map_path, begin + share * (end - begin)))
+                    throw Error(ExitCode::Interrupted, "interrupted; nothing was written");
+            };
+        };
+        Gaps gaps;
+        if (may_lack) gaps = Gaps(*source, Nodata(shape.nodata, source->head().unknown_are_nan), pass(0.0, first_pass));
+        Survey survey = surveyMap(*source, gaps, NodeGrid(map), pass(first_pass, 1.0));
         SurveyCache::keep(key, gaps, survey);
         known.emplace(std::move(gaps), std::move(survey));
     }
@@ -201,16 +210,17 @@ Heightmap makeTiledHeightmap(std::shared_ptr<const geo::LargeMap> source, const 
     map.tiled = std::move(tiled);
     return map;
 } catch (const Error& error) {
-    if (std::string(error.what()).find(shape.map_path) != std::string::npos) throw;
+    const bool named = std::string(error.what()).find(shape.map_path) != std::string::npos;
+    if (named || error.code() != ExitCode::InvalidInput) throw;
     throw Error(error.code(), shape.map_path + ": " + error.what());
 }
 
-Heightmap loadHeightmap(const DisplacedSphere& shape, std::uint64_t most_held) {
+Heightmap loadHeightmap(const DisplacedSphere& shape, std::uint64_t most_held, const MapProgress& progress) {
     const bool may_stay = shape.filter == Filter::Bilinear && !shape.smooth_normals && shape.blur == 0.0;
     if (!shape.map_path.empty() && may_stay)
         if (auto large = geo::openLargeMap(shape.map_path, shape.band, most_held + 1);
             large && large->head().width >= NodeGrid::kLeastWidth && large->head().height >= NodeGrid::kLeastRows)
-            return makeTiledHeightmap(std::move(large), shape);
+            return makeTiledHeightmap(std::move(large), shape, progress);
     if (!shape.map_path.empty()) return makeHeightmap(geo::readMap(shape.map_path, shape.band), shape);
     DisplacedSphere smooth = shape;
     smooth.registration = Registration::Texel;  // a single value has no grid lines

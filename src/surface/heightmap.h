@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -41,6 +42,10 @@ struct Heightmap {
     float tiledAt(int i, int j) const;
 };
 
+/// Called while a map that stays in its file is read for the first time: its path, and the share that is done. False:
+/// stop, with an Error (Interrupted).
+using MapProgress = std::function<bool(const std::string& path, double share)>;
+
 /// Reads the shape's map, prepares it (prepareMap), fills its unknown texels (fillNodata), then blurs it (blurMap),
 /// then forms the poles; applies its registration and longitude origin (the scene's, else the file's own, else texel
 /// and -180). An empty map path gives a 1x1 map of 0. Throws Error (InvalidInput): unreadable file, nothing but unknown
@@ -48,10 +53,12 @@ struct Heightmap {
 ///
 /// A map of more texels than `most_held` stays in its file (`tiled`) where its format and the shape let it: not with a
 /// B-spline's surface or normals, nor blurred.
-Heightmap loadHeightmap(const DisplacedSphere& shape, std::uint64_t most_held = geo::kLargeMapTexels);
+Heightmap loadHeightmap(const DisplacedSphere& shape, std::uint64_t most_held = geo::kLargeMapTexels,
+                        const MapProgress& progress = {});
 
 /// Of a map in its file. As loadHeightmap.
-Heightmap makeTiledHeightmap(std::shared_ptr<const geo::LargeMap> source, const DisplacedSphere& shape);
+Heightmap makeTiledHeightmap(std::shared_ptr<const geo::LargeMap> source, const DisplacedSphere& shape,
+                             const MapProgress& progress = {});
 
 /// The same from samples already in memory (tests, generated maps).
 Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape);

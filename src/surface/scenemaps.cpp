@@ -27,6 +27,7 @@ auto loadAt(const Scene& scene, const SourceLocation& where, const std::string& 
     try {
         return std::make_unique<decltype(load())>(load());
     } catch (const Error& error) {
+        if (error.code() == ExitCode::Interrupted) throw;
         const auto missing = scene.missing.find(path);
         const std::string more = missing == scene.missing.end() ? "" : missing->second;
         // Without a line the place is the file, which the error names itself.
@@ -48,7 +49,8 @@ void gather(ErrorList& errors, Load load) {
 /// Loads a scene's files, all of them: what is wrong with any is gathered.
 class Loader {
   public:
-    Loader(const Scene& scene, std::uint64_t memory_limit) : scene_(scene) {
+    Loader(const Scene& scene, std::uint64_t memory_limit, const MapProgress& progress)
+        : scene_(scene), progress_(progress) {
         result_.memory_limit = memory_limit;
         constexpr std::uint64_t kBytesHeld = 2 * sizeof(float);  // of a texel, on the host and on the device
         if (memory_limit > 0) most_held_ = std::min(most_held_, memory_limit / kBytesHeld);
@@ -84,8 +86,8 @@ class Loader {
         const std::size_t index = std::size_t(found - owners_.begin());
         if (found == owners_.end()) {
             bad_maps_.push_back(sphere);
-            result_.maps.push_back(
-                loadAt(scene_, shape.where, sphere->map_path, [&] { return loadHeightmap(*sphere, most_held_); }));
+            result_.maps.push_back(loadAt(scene_, shape.where, sphere->map_path,
+                                          [&] { return loadHeightmap(*sphere, most_held_, progress_); }));
             bad_maps_.pop_back();
             owners_.push_back(sphere);
         }
@@ -126,6 +128,7 @@ class Loader {
     }
 
     const Scene& scene_;
+    const MapProgress& progress_;
     std::uint64_t most_held_ = geo::kLargeMapTexels;
     SceneMaps result_;
     ErrorList errors_;
@@ -159,8 +162,8 @@ std::vector<const ColourMap*> SceneMaps::imagePerShape() const {
     return pointers;
 }
 
-SceneMaps loadSceneMaps(const Scene& scene, std::uint64_t memory_limit) {
-    return Loader(scene, memory_limit).load();
+SceneMaps loadSceneMaps(const Scene& scene, std::uint64_t memory_limit, const MapProgress& progress) {
+    return Loader(scene, memory_limit, progress).load();
 }
 
 }  // namespace dsphere

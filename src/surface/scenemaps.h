@@ -36,6 +36,6 @@ struct SceneMaps {
 ///
 /// `memory_limit`: bytes that a map and its copy on the device may take together, else it stays in its file (see
 /// loadHeightmap), and that heights on the device take at most; 0: as many as are there.
-SceneMaps loadSceneMaps(const Scene& scene, std::uint64_t memory_limit = 0);
+SceneMaps loadSceneMaps(const Scene& scene, std::uint64_t memory_limit = 0, const MapProgress& progress = {});
 
 }  // namespace dsphere

@@ -69,7 +69,7 @@ class Surveyor {
           height_(source.head().height),
           first_row_(grid.halfCaps() ? 1 : 0) {}
 
-    Survey run() {
+    Survey run(const SurveyProgress& progress) {
         const int side = boundsSide(width_), bands = (height_ + kBand - 1) / kBand;
         start(side);
         const CellsByBand cells(grid_, side, bands, first_row_);
@@ -80,6 +80,7 @@ class Surveyor {
         std::vector<std::uint32_t> unfinished;
         std::future<std::vector<T>> next = readBand(0);
         for (int band = 0; band < bands; ++band) {
+            if (progress) progress(double(band) / bands);
             rows_ = next.get();
             y_ = band * kBand;
             count_ = int(rows_.size() / std::size_t(width_));
@@ -90,8 +91,7 @@ class Surveyor {
             measureBlocks();
             unfinished.insert(unfinished.end(), cells.of(band).begin(), cells.of(band).end());
             measureCells(cells, unfinished);
-            std::erase_if(unfinished,
-                          [&](std::uint32_t n) { return cells.box(n).bottom - first_row_ < y_ + count_; });
+            std::erase_if(unfinished, [&](std::uint32_t n) { return cells.box(n).bottom - first_row_ < y_ + count_; });
             if (reducer) reducer->add(rows_.data(), y_, count_);
         }
         addPoles(cells);
@@ -280,11 +280,14 @@ class Surveyor {
 
 }  // namespace
 
-Survey surveyMap(const geo::LargeMap& source, const Gaps& gaps, const NodeGrid& grid) {
+Survey surveyMap(const geo::LargeMap& source, const Gaps& gaps, const NodeGrid& grid, const SurveyProgress& progress) {
     switch (source.kind()) {
-        case geo::SampleKind::UInt16: return Surveyor<std::uint16_t>(source, gaps, grid).run();
-        case geo::SampleKind::Int16: return Surveyor<std::int16_t>(source, gaps, grid).run();
-        case geo::SampleKind::Float32: return Surveyor<float>(source, gaps, grid).run();
+        case geo::SampleKind::UInt16:
+            return Surveyor<std::uint16_t>(source, gaps, grid).run(progress);
+        case geo::SampleKind::Int16:
+            return Surveyor<std::int16_t>(source, gaps, grid).run(progress);
+        case geo::SampleKind::Float32:
+            return Surveyor<float>(source, gaps, grid).run(progress);
     }
     return {};
 }

@@ -33,8 +33,8 @@ struct BlockExtremes {
 struct Survey {
     float north_pole = 0.0f, south_pole = 0.0f;
     float least = 0.0f, greatest = 0.0f;
-    float second_least = 0.0f;       ///< the least value above `least`; infinite: there is none
-    std::uint64_t at_least = 0;      ///< texels that hold `least`
+    float second_least = 0.0f;   ///< the least value above `least`; infinite: there is none
+    std::uint64_t at_least = 0;  ///< texels that hold `least`
     CellExtremes cells;
     BlockExtremes blocks;
     /// The map at 1 / reduction of its columns and rows, as a level of detail; empty: its counts cannot be divided.
@@ -47,6 +47,7 @@ struct Survey {
 };
 
 /// Reads the map once, in bands of rows, on all cores. `grid` is that of `map`, and not subdivided.
-Survey surveyMap(const geo::LargeMap& source, const Gaps& gaps, const NodeGrid& grid);
+Survey surveyMap(const geo::LargeMap& source, const Gaps& gaps, const NodeGrid& grid,
+                 const SurveyProgress& progress = {});
 
 }  // namespace dsphere
