@@ -177,7 +177,8 @@ struct DeviceScene::Layout {
         }
     }
 
-    /// Of `count` tables as long as `width`. With maps in tiles they may be longer than an image is wide: see EDGE_ROWS.
+    /// Of `count` tables as long as `width`. With maps in tiles they may be longer than an image is wide: see
+    /// EDGE_ROWS.
     int addEdges(int width, int count) {
         if (!long_edges) return edges.add(width, count).y;
         return edges.add(std::min(width, EDGE_COLUMNS), EDGE_ROWS * ((width + EDGE_COLUMNS - 1) / EDGE_COLUMNS)).y;
@@ -298,9 +299,8 @@ void DeviceScene::updateReliefs(const PackedScene& packed) {
 }
 
 std::vector<gpu::Resource> DeviceScene::resources() const {
-    return {&objects_, &maps_,    &lights_, &materials_, &triangles_, &ramps_,
-            &tables_,  &heights_, &bounds_, &edges_,     &images_,    &nodes_,
-            &tiles_->image()};
+    return {&objects_, &maps_,   &lights_, &materials_, &triangles_, &ramps_,         &tables_,
+            &heights_, &bounds_, &edges_,  &images_,    &nodes_,     &tiles_->image()};
 }
 
 }  // namespace dsphere

@@ -20,9 +20,9 @@ bool isNarrow(const gpu::Device& device);
 int turnsOf(const gpu::Device& device, const SceneTraits& traits, const MarchMethod& method);
 
 /// A pipeline of a shader (one of its MARCH_ variants) that marches such a scene, specialised to what the scene
-/// holds: its bindings are DeviceScene::resources(), then the film, the list of pixels to retry and AbsentList (Render),
-/// or the buffers of rays and hits (Probe), or those of rays, rays to retry, AbsentList, answers and looks (Query).
-/// `listed`: SPEC_LISTED.
+/// holds: its bindings are DeviceScene::resources(), then the film, the list of pixels to retry and AbsentList
+/// (Render), or the buffers of rays and hits (Probe), or those of rays, rays to retry, AbsentList, answers and looks
+/// (Query). `listed`: SPEC_LISTED.
 gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& traits, float stride,
                                        std::span<const std::uint32_t> spirv, Shader shader, const MarchMethod& method,
                                        std::uint32_t planes, bool listed = false);

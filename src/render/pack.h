@@ -45,7 +45,7 @@ struct PackedScene {
     std::vector<layout::MaterialData> materials;     ///< one an object; regularized ones from MAX_OBJECTS on
     std::vector<layout::TriangleData> triangles;     ///< of all meshes
     PathTables tables;
-    int light_image = -1;  ///< index in `images` of the infinite light's, -1: none
+    int light_image = -1;            ///< index in `images` of the infinite light's, -1: none
     std::uint64_t memory_limit = 0;  ///< SceneMaps'
     SceneTraits traits;
 };

@@ -86,7 +86,8 @@ RayBlock::RayBlock(gpu::Device& device, const RayPipelines& pipelines, const Dev
       retry_list_(device, gpu::Buffer::Usage::Storage, gpu::Buffer::Place::Device,
                   sizeof(layout::RetryHead) + capacity * sizeof(layout::RetryPixel), "rays to retry"),
       head_(device, gpu::Buffer::Usage::Staging, gpu::Buffer::Place::Host, sizeof(layout::RetryHead), "retry head"),
-      set_(device, pipelines.first(), bindAll(scene, {&rays_, &retry_list_, &absent_.buffer(), &hits_, &looks_}), "query"),
+      set_(device, pipelines.first(), bindAll(scene, {&rays_, &retry_list_, &absent_.buffer(), &hits_, &looks_}),
+           "query"),
       batch_(device, "query") {}
 
 std::span<layout::QueryRay> RayBlock::rays() {

@@ -21,9 +21,12 @@ int shiftOf(int width) {
 
 int samplesOf(geo::SampleKind kind) {
     switch (kind) {
-        case geo::SampleKind::UInt16: return SAMPLES_UINT16;
-        case geo::SampleKind::Int16: return SAMPLES_INT16;
-        case geo::SampleKind::Float32: return SAMPLES_FLOAT;
+        case geo::SampleKind::UInt16:
+            return SAMPLES_UINT16;
+        case geo::SampleKind::Int16:
+            return SAMPLES_INT16;
+        case geo::SampleKind::Float32:
+            return SAMPLES_FLOAT;
     }
     return SAMPLES_FLOAT;
 }

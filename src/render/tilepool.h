@@ -14,8 +14,8 @@ namespace gpu {
 class Device;
 }
 
-/// The heights of maps that stay in their files: tiles of them on the device, read when rays need them, as many as there
-/// is room for. See MapData and BINDING_TILES.
+/// The heights of maps that stay in their files: tiles of them on the device, read when rays need them, as many as
+/// there is room for. See MapData and BINDING_TILES.
 class TilePool {
   public:
     /// Room for all tiles of the scene's such maps, or for as many as half of packed.memory_limit holds (0: half of the
@@ -46,9 +46,9 @@ class TilePool {
     struct Map {
         const Heightmap* map;
         const NodeGrid* nodes;
-        int index;                     ///< in PackedScene::nodes
-        int across = 0, down = 0;      ///< tiles
-        int table_y = 0;               ///< its table's row
+        int index;                 ///< in PackedScene::nodes
+        int across = 0, down = 0;  ///< tiles
+        int table_y = 0;           ///< its table's row
         std::uint32_t first_tile = 0;
         std::vector<std::uint32_t> table;
     };

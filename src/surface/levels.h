@@ -14,7 +14,8 @@ namespace dsphere {
 /// the result again.
 std::optional<Heightmap> halved(const Heightmap& map);
 
-/// The map that the survey of one in its file made: at 1 / reduction of its width and height. Nothing where there is none.
+/// The map that the survey of one in its file made: at 1 / reduction of its width and height. Nothing where there is
+/// none.
 std::optional<Heightmap> reducedMap(const Heightmap& map);
 
 /// The greatest difference between the surfaces of two grids of one sphere, in stored units. Both are bilinear between

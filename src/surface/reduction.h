@@ -12,8 +12,8 @@ int reductionOf(int width, int height, Registration registration);
 
 inline constexpr int kReducedWidth = 8192;
 
-/// Takes the rows of a map from the north on, in bands of whole multiples of the reduction, unknown texels filled. T: the
-/// type of its samples.
+/// Takes the rows of a map from the north on, in bands of whole multiples of the reduction, unknown texels filled. T:
+/// the type of its samples.
 template <typename T>
 class Reducer {
   public:

@@ -31,8 +31,8 @@ class TiledHeights {
 
     /// The stored value of a texel. Texels are kept in tiles of some that were asked for last, kCacheBytes of them.
     float at(int column, int row) const;
-    /// `width` x `height` samples of kind() from column and row on, row by row: columns wrap, rows beyond the map repeat
-    /// its first and last.
+    /// `width` x `height` samples of kind() from column and row on, row by row: columns wrap, rows beyond the map
+    /// repeat its first and last.
     void read(int column, int row, int width, int height, void* to) const;
 
     static constexpr int kCacheSide = 256;  ///< texels along an edge of a kept tile
