@@ -1,5 +1,6 @@
 #include "reference/lights.h"
 
+#include "base/overloads.h"
 #include "reference/analytic.h"
 #include "reference/frame.h"
 
@@ -95,17 +96,20 @@ LightSample Lights::sampleSky(const InfiniteLight& light, const dvec3& g, const 
 
 LightSample Lights::sample(int k, const dvec3& point, const dvec3& g, const dvec2& u) const {
     const Light& light = scene_->lights[std::size_t(k)];
-    if (const auto* distant = std::get_if<DistantLight>(&light)) return {distant->direction, kFar, distant->radiance};
-    if (const auto* lamp = std::get_if<PointLight>(&light)) {
-        const dvec3 towards = lamp->position - point;
+    const auto sampleLamp = [&](const PointLight& lamp) -> LightSample {
+        const dvec3 towards = lamp.position - point;
         const double distance2 = glm::dot(towards, towards), distance = std::sqrt(distance2);
         if (distance2 == 0.0) return {};
-        return {towards / distance, distance, lamp->intensity / distance2};
-    }
-    if (const auto* infinite = std::get_if<InfiniteLight>(&light)) return sampleSky(*infinite, g, u);
-    const AreaLight& area = std::get<AreaLight>(light);
-    const bool disk = std::holds_alternative<Disk>(scene_->shapes[std::size_t(area.shape)].geometry);
-    return disk ? sampleDisk(area, point, u) : sampleBall(area, point, u);
+        return {towards / distance, distance, lamp.intensity / distance2};
+    };
+    const auto sampleArea = [&](const AreaLight& area) {
+        const bool disk = std::holds_alternative<Disk>(scene_->shapes[std::size_t(area.shape)].geometry);
+        return disk ? sampleDisk(area, point, u) : sampleBall(area, point, u);
+    };
+    const auto sampleSun = [](const DistantLight& sun) -> LightSample { return {sun.direction, kFar, sun.radiance}; };
+    return std::visit(
+        Overloads{sampleSun, sampleLamp, [&](const InfiniteLight& sky) { return sampleSky(sky, g, u); }, sampleArea},
+        light);
 }
 
 double Lights::density(int k, const dvec3& point, const dvec3& g, const dvec3& direction) const {

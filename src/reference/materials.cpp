@@ -1,5 +1,6 @@
 #include "reference/materials.h"
 
+#include "base/overloads.h"
 #include "reference/fresnel.h"
 #include "reference/quadrature.h"
 
@@ -41,9 +42,11 @@ dvec3 bouncedFresnel(const Conductor& metal, double mean_lost) {
 
 // Oren and Nayar 1994, "Generalization of Lambert's reflectance model", the simple form (their equation 30).
 Material softened(Material material) {
-    double* alpha = nullptr;
-    if (auto* metal = std::get_if<Conductor>(&material)) alpha = &metal->alpha;
-    if (auto* plastic = std::get_if<Plastic>(&material)) alpha = &plastic->alpha;
+    using Found = double*;
+    double* const alpha = std::visit(
+        Overloads{[](Matte&) -> Found { return nullptr; }, [](Conductor& metal) -> Found { return &metal.alpha; },
+                  [](Mirror&) -> Found { return nullptr; }, [](Plastic& plastic) -> Found { return &plastic.alpha; }},
+        material);
     if (alpha && *alpha < 0.05)
         *alpha = 0.1;
     else if (alpha && *alpha < 0.3)
@@ -63,12 +66,15 @@ double orenNayar(double sigma_degrees, const dvec3& l, const dvec3& v) {
 }
 
 Reflector::Reflector(const Material& material) : material_(material) {
-    if (const auto* plastic = std::get_if<Plastic>(&material)) facets_ = Facets{plastic->alpha};
-    if (const auto* metal = std::get_if<Conductor>(&material)) {
-        facets_ = Facets{metal->alpha};
-        lost_ = std::make_shared<LostLight>(metal->alpha);
-        bounced_fresnel_ = bouncedFresnel(*metal, lost_->mean());
-    }
+    const auto prepare =
+        Overloads{[](const Matte&) {},
+                  [&](const Conductor& metal) {
+                      facets_ = Facets{metal.alpha};
+                      lost_ = std::make_shared<LostLight>(metal.alpha);
+                      bounced_fresnel_ = bouncedFresnel(metal, lost_->mean());
+                  },
+                  [](const Mirror&) {}, [&](const Plastic& plastic) { facets_ = Facets{plastic.alpha}; }};
+    std::visit(prepare, material);
 }
 
 dvec3 Reflector::bounced(double c_l, double c_v) const {
@@ -78,14 +84,19 @@ dvec3 Reflector::bounced(double c_l, double c_v) const {
 
 dvec3 Reflector::f(const dvec3& l, const dvec3& v, const dvec3& colour) const {
     if (!(l.z > 0.0)) return dvec3(0.0);
-    if (const auto* matte = std::get_if<Matte>(&material_)) return colour / kPi * orenNayar(matte->sigma, l, v);
-    if (const auto* plastic = std::get_if<Plastic>(&material_)) {
-        const double facets = facets_->reflection(l, v);
-        return colour / kPi + plastic->specular * (facets * fresnelDielectric(halfCosine(l, v), kPlasticEta));
-    }
-    const auto* metal = std::get_if<Conductor>(&material_);
-    if (!metal || !(v.z > 0.0)) return dvec3(0.0);
-    return fresnelConductor(halfCosine(l, v), metal->eta, metal->k) * facets_->reflection(l, v) + bounced(l.z, v.z);
+    const auto reflect = Overloads{
+        [&](const Matte& matte) { return colour / kPi * orenNayar(matte.sigma, l, v); },
+        [&](const Conductor& metal) {
+            if (!(v.z > 0.0)) return dvec3(0.0);
+            const dvec3 fresnel = fresnelConductor(halfCosine(l, v), metal.eta, metal.k);
+            return fresnel * facets_->reflection(l, v) + bounced(l.z, v.z);
+        },
+        [](const Mirror&) { return dvec3(0.0); },
+        [&](const Plastic& plastic) {
+            const double facets = facets_->reflection(l, v);
+            return colour / kPi + plastic.specular * (facets * fresnelDielectric(halfCosine(l, v), kPlasticEta));
+        }};
+    return std::visit(reflect, material_);
 }
 
 double Reflector::facetShare(const dvec3& v) const {

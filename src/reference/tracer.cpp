@@ -1,5 +1,6 @@
 #include "reference/tracer.h"
 
+#include "base/overloads.h"
 #include "reference/analytic.h"
 #include "reference/mesh.h"
 
@@ -36,11 +37,12 @@ Ray Tracer::objectRay(int shape, const dvec3& origin, const dvec3& direction) co
 }
 
 FirstHit Tracer::hitShape(int shape, const Ray& object_ray) const {
-    if (const Surface* displaced = surface(shape)) return reference::firstHit(*displaced, object_ray);
-    const auto& geometry = scene_->shapes[std::size_t(shape)].geometry;
-    if (const auto* sphere = std::get_if<Sphere>(&geometry)) return hitSphere(sphere->radius, object_ray);
-    if (const auto* mesh = std::get_if<TriangleMesh>(&geometry)) return hitMesh(*mesh, object_ray);
-    return hitDisk(std::get<Disk>(geometry), object_ray);
+    return std::visit(
+        Overloads{[&](const DisplacedSphere&) { return reference::firstHit(*surface(shape), object_ray); },
+                  [&](const Sphere& sphere) { return hitSphere(sphere.radius, object_ray); },
+                  [&](const Disk& disk) { return hitDisk(disk, object_ray); },
+                  [&](const TriangleMesh& mesh) { return hitMesh(mesh, object_ray); }},
+        scene_->shapes[std::size_t(shape)].geometry);
 }
 
 WorldHit Tracer::worldHit(int shape, const FirstHit& hit, const dvec3& direction) const {
@@ -116,14 +118,15 @@ bool Tracer::occluded(const dvec3& origin, const dvec3& direction, double t_max,
 }
 
 double Tracer::unit(int shape) const {
-    if (const Surface* displaced = surface(shape)) return displaced->relief().greatest_radius;
-    const auto& geometry = scene_->shapes[std::size_t(shape)].geometry;
-    if (const auto* sphere = std::get_if<Sphere>(&geometry)) return sphere->radius;
-    if (const auto* disk = std::get_if<Disk>(&geometry)) return disk->radius;
-    const auto& mesh = std::get<TriangleMesh>(geometry);
-    double greatest = 0.0;
-    for (const dvec3& p : mesh.points) greatest = std::max(greatest, glm::length(p - middleOf(mesh)));
-    return greatest;
+    const auto ofMesh = [](const TriangleMesh& mesh) {
+        double greatest = 0.0;
+        for (const dvec3& p : mesh.points) greatest = std::max(greatest, glm::length(p - middleOf(mesh)));
+        return greatest;
+    };
+    return std::visit(Overloads{[&](const DisplacedSphere&) { return surface(shape)->relief().greatest_radius; },
+                                [](const Sphere& sphere) { return sphere.radius; },
+                                [](const Disk& disk) { return disk.radius; }, ofMesh},
+                      scene_->shapes[std::size_t(shape)].geometry);
 }
 
 dvec3 Tracer::middle(int shape) const {

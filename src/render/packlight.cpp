@@ -1,5 +1,6 @@
 #include "render/packlight.h"
 
+#include "base/overloads.h"
 #include "render/narrow.h"
 #include "render/traits.h"
 
@@ -121,13 +122,14 @@ void packMatte(MaterialData& data, const Matte& matte) {
 MaterialData packMaterial(const Material& material, const PathTables& tables) {
     MaterialData data = {};
     data.kind = materialKind(material);
-    if (const auto* matte = std::get_if<Matte>(&material)) packMatte(data, *matte);
-    if (const auto* conductor = std::get_if<Conductor>(&material)) packConductor(data, *conductor, tables);
-    if (const auto* mirror = std::get_if<Mirror>(&material)) data.specular = narrow(mirror->reflectance, 0.0);
-    if (const auto* plastic = std::get_if<Plastic>(&material)) {
-        data.specular = narrow(plastic->specular, 0.0);
-        data.alpha = float(plastic->alpha);
-    }
+    const auto pack = Overloads{[&](const Matte& matte) { packMatte(data, matte); },
+                                [&](const Conductor& metal) { packConductor(data, metal, tables); },
+                                [&](const Mirror& mirror) { data.specular = narrow(mirror.reflectance, 0.0); },
+                                [&](const Plastic& plastic) {
+                                    data.specular = narrow(plastic.specular, 0.0);
+                                    data.alpha = float(plastic.alpha);
+                                }};
+    std::visit(pack, material);
     if (const auto* board = textureAs<Checkerboard>(material)) {
         data.odd = narrow(board->odd, 0.0);
         data.checkerboard = 1;
@@ -147,17 +149,18 @@ std::vector<LightData> packLights(const Scene& scene, const SceneMaps& maps, con
         LightData data = {};
         data.kind = lightKind(scene, light);
         data.object = -1;
-        if (const auto* distant = std::get_if<DistantLight>(&light)) {
-            data.position = narrow(distant->direction, 0.0);
-            data.radiance = narrow(distant->radiance, 0.0);
-        } else if (const auto* point = std::get_if<PointLight>(&light)) {
-            data.position = narrow(point->position - first_centre, 1.0);
-            data.radiance = narrow(point->intensity, 0.0);
-        } else if (const auto* infinite = std::get_if<InfiniteLight>(&light)) {
-            packInfiniteLight(data, *infinite, maps, tables);
-        } else {
-            packAreaLight(data, std::get<AreaLight>(light), scene, first_centre);
-        }
+        const auto pack =
+            Overloads{[&](const DistantLight& distant) {
+                          data.position = narrow(distant.direction, 0.0);
+                          data.radiance = narrow(distant.radiance, 0.0);
+                      },
+                      [&](const PointLight& point) {
+                          data.position = narrow(point.position - first_centre, 1.0);
+                          data.radiance = narrow(point.intensity, 0.0);
+                      },
+                      [&](const InfiniteLight& infinite) { packInfiniteLight(data, infinite, maps, tables); },
+                      [&](const AreaLight& area) { packAreaLight(data, area, scene, first_centre); }};
+        std::visit(pack, light);
         irradiances.push_back(nearIrradiance(light, data, tables));
         lights.push_back(data);
     }

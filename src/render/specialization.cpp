@@ -9,6 +9,9 @@
 
 namespace dsphere {
 
+static_assert(int(Marcher::Exact) == MARCHER_EXACT && int(Marcher::Naive) == MARCHER_NAIVE &&
+              int(Marcher::NaiveShell) == MARCHER_NAIVE_SHELL && int(Marcher::Lipschitz) == MARCHER_LIPSCHITZ);
+
 // For the steepest of the scene's maps; rounded down.
 float safeStride(const PackedScene& packed, const MarchMethod& method) {
     if (method.marcher != Marcher::Lipschitz) return 1.0f;

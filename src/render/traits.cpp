@@ -1,5 +1,6 @@
 #include "render/traits.h"
 
+#include "base/overloads.h"
 #include "render/filtertable.h"
 
 #include <algorithm>
@@ -19,9 +20,10 @@ std::uint32_t surfacesOf(const DisplacedSphere& sphere) {
 }
 
 int geometryKind(const Geometry& geometry) {
-    if (std::holds_alternative<DisplacedSphere>(geometry)) return KIND_DISPLACED;
-    if (std::holds_alternative<Sphere>(geometry)) return KIND_SPHERE;
-    return std::holds_alternative<Disk>(geometry) ? KIND_DISK : KIND_MESH;
+    return std::visit(
+        Overloads{[](const DisplacedSphere&) { return KIND_DISPLACED; }, [](const Sphere&) { return KIND_SPHERE; },
+                  [](const Disk&) { return KIND_DISK; }, [](const TriangleMesh&) { return KIND_MESH; }},
+        geometry);
 }
 
 int onlyShape(const Scene& scene, bool displaced) {
@@ -64,18 +66,22 @@ bool SceneTraits::needsPaths() const {
 }
 
 int lightKind(const Scene& scene, const Light& light) {
-    if (std::holds_alternative<DistantLight>(light)) return LIGHT_DISTANT;
-    if (std::holds_alternative<PointLight>(light)) return LIGHT_POINT;
-    if (const auto* infinite = std::get_if<InfiniteLight>(&light))
-        return infinite->map_path.empty() ? LIGHT_INFINITE : LIGHT_IMAGE;
-    const Shape& shape = scene.shapes[std::size_t(std::get<AreaLight>(light).shape)];
-    return std::holds_alternative<Disk>(shape.geometry) ? LIGHT_DISK : LIGHT_SPHERE;
+    const auto ofShape = [&](const AreaLight& area) {
+        const Shape& shape = scene.shapes[std::size_t(area.shape)];
+        return std::holds_alternative<Disk>(shape.geometry) ? LIGHT_DISK : LIGHT_SPHERE;
+    };
+    return std::visit(
+        Overloads{[](const DistantLight&) { return LIGHT_DISTANT; }, [](const PointLight&) { return LIGHT_POINT; },
+                  [](const InfiniteLight& sky) { return sky.map_path.empty() ? LIGHT_INFINITE : LIGHT_IMAGE; },
+                  ofShape},
+        light);
 }
 
 int materialKind(const Material& material) {
-    if (std::holds_alternative<Conductor>(material)) return MATERIAL_CONDUCTOR;
-    if (std::holds_alternative<Mirror>(material)) return MATERIAL_MIRROR;
-    return std::holds_alternative<Plastic>(material) ? MATERIAL_PLASTIC : MATERIAL_MATTE;
+    return std::visit(
+        Overloads{[](const Matte&) { return MATERIAL_MATTE; }, [](const Conductor&) { return MATERIAL_CONDUCTOR; },
+                  [](const Mirror&) { return MATERIAL_MIRROR; }, [](const Plastic&) { return MATERIAL_PLASTIC; }},
+        material);
 }
 
 SceneTraits traitsOf(const Scene& scene) {

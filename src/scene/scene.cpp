@@ -1,5 +1,7 @@
 #include "scene/scene.h"
 
+#include "base/overloads.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,15 +31,19 @@ Material regularized(Material material) {
     const auto widen = [](double& alpha) {
         if (alpha < 0.3) alpha = std::clamp(2.0 * alpha, 0.1, 0.3);
     };
-    if (auto* conductor = std::get_if<Conductor>(&material)) widen(conductor->alpha);
-    if (auto* plastic = std::get_if<Plastic>(&material)) widen(plastic->alpha);
+    std::visit(Overloads{[](Matte&) {}, [&](Conductor& metal) { widen(metal.alpha); }, [](Mirror&) {},
+                         [&](Plastic& plastic) { widen(plastic.alpha); }},
+               material);
     return material;
 }
 
 const Texture* textureOf(const Material& material) {
-    if (const auto* matte = std::get_if<Matte>(&material)) return &matte->reflectance;
-    if (const auto* plastic = std::get_if<Plastic>(&material)) return &plastic->diffuse;
-    return nullptr;
+    using Found = const Texture*;
+    return std::visit(
+        Overloads{[](const Matte& matte) -> Found { return &matte.reflectance; },
+                  [](const Conductor&) -> Found { return nullptr; }, [](const Mirror&) -> Found { return nullptr; },
+                  [](const Plastic& plastic) -> Found { return &plastic.diffuse; }},
+        material);
 }
 
 Texture* textureOf(Material& material) {

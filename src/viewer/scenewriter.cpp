@@ -1,5 +1,6 @@
 #include "viewer/scenewriter.h"
 
+#include "base/overloads.h"
 #include "scene/transforms.h"
 
 #include <fmt/format.h>
@@ -88,13 +89,18 @@ std::string meshText(const TriangleMesh& mesh) {
 }
 
 std::string geometryText(const Shape& shape, const std::filesystem::path& folder) {
-    if (const auto* sphere = std::get_if<Sphere>(&shape.geometry))
-        return fmt::format("Shape \"sphere\" \"float radius\" {}\n", number(sphere->radius));
-    if (const auto* disk = std::get_if<Disk>(&shape.geometry))
-        return fmt::format("Shape \"disk\" \"float height\" {} \"float radius\" {} \"float innerradius\" {}\n",
-                           number(disk->height), number(disk->radius), number(disk->inner_radius));
-    if (const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry)) return meshText(*mesh);
-    return displacedText(std::get<DisplacedSphere>(shape.geometry), folder);
+    return std::visit(
+        Overloads{[&](const DisplacedSphere& sphere) { return displacedText(sphere, folder); },
+                  [](const Sphere& sphere) {
+                      return fmt::format("Shape \"sphere\" \"float radius\" {}\n", number(sphere.radius));
+                  },
+                  [](const Disk& disk) {
+                      return fmt::format(
+                          "Shape \"disk\" \"float height\" {} \"float radius\" {} \"float innerradius\" {}\n",
+                          number(disk.height), number(disk.radius), number(disk.inner_radius));
+                  },
+                  [](const TriangleMesh& mesh) { return meshText(mesh); }},
+        shape.geometry);
 }
 
 /// A colour as a parameter, and the Texture directives that go before whoever has it.
@@ -145,20 +151,22 @@ std::string materialText(const Material& material, std::size_t index, const std:
     ColourText colour;
     if (const Texture* texture = textureOf(material))
         colour = colourText(*texture, "Kd", fmt::format("kd{}", index), folder);
-    std::string text = colour.textures + "Material ";
-    if (const auto* matte = std::get_if<Matte>(&material)) {
-        text += "\"matte\"" + colour.parameter;
-        if (matte->sigma != 0.0) appendNumber(text, "sigma", matte->sigma);
-        return text + "\n";
-    }
-    if (const auto* metal = std::get_if<Conductor>(&material))
-        return text + fmt::format("\"conductor\" \"rgb eta\" {} \"rgb k\" {}", triple(metal->eta), triple(metal->k)) +
-               roughness(metal->alpha);
-    if (const auto* mirror = std::get_if<Mirror>(&material))
-        return text + fmt::format("\"mirror\" \"rgb Kr\" {}\n", triple(mirror->reflectance));
-    const auto& plastic = std::get<Plastic>(material);
-    return text + fmt::format("\"plastic\"{} \"rgb Ks\" {}", colour.parameter, triple(plastic.specular)) +
-           roughness(plastic.alpha);
+    const auto words = Overloads{
+        [&](const Matte& matte) {
+            std::string text = "\"matte\"" + colour.parameter;
+            if (matte.sigma != 0.0) appendNumber(text, "sigma", matte.sigma);
+            return text + "\n";
+        },
+        [](const Conductor& metal) {
+            return fmt::format("\"conductor\" \"rgb eta\" {} \"rgb k\" {}", triple(metal.eta), triple(metal.k)) +
+                   roughness(metal.alpha);
+        },
+        [](const Mirror& mirror) { return fmt::format("\"mirror\" \"rgb Kr\" {}\n", triple(mirror.reflectance)); },
+        [&](const Plastic& plastic) {
+            return fmt::format("\"plastic\"{} \"rgb Ks\" {}", colour.parameter, triple(plastic.specular)) +
+                   roughness(plastic.alpha);
+        }};
+    return colour.textures + "Material " + std::visit(words, material);
 }
 
 std::string shapeText(const Shape& shape, std::size_t index, const AreaLight* light,
