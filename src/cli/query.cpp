@@ -41,6 +41,19 @@ RayWishes wishesOf(const query::Record& record, const Scene& scene) {
     return {.lit = record.has("lit"), .place = others && (record.has("u") || record.has("v"))};
 }
 
+/// What the host has to find for these fields; --certify judges position and normal too.
+query::AnswerParts partsOf(const query::Record& record, bool certify) {
+    const auto hasAny = [&](std::initializer_list<const char*> names) {
+        return std::ranges::any_of(names, [&](const char* name) { return record.has(name); });
+    };
+    query::AnswerParts parts;
+    parts.position = certify || record.has("P");
+    parts.normal = certify || record.has("N");
+    parts.place = hasAny({"u", "v", "lat", "lon", "height", "metres"});
+    parts.root = parts.position || parts.normal || parts.place || record.has("t");
+    return parts;
+}
+
 void printSummary(const QueryCommand& options, const Scene& scene, const gpu::Device& device,
                   const query::StreamCounts& counts, const query::Certifier* certifier) {
     const auto say = [&](const std::string& text) {
@@ -90,8 +103,9 @@ int runQuery(const QueryCommand& options) {
     const PackedScene packed = packScene(scene, maps);
     gpu::Device device = openDevice(options.common);
     const DeviceScene device_scene(device, packed);
-    query::Engine engine(device, scene, maps, packed, device_scene,
-                         {.frame = options.frame, .wishes = wishesOf(record, scene), .whole = !options.any});
+    query::Engine engine(
+        device, scene, maps, packed, device_scene,
+        {.frame = options.frame, .wishes = wishesOf(record, scene), .parts = partsOf(record, options.certify)});
     std::optional<query::Certifier> certifier;
     if (options.certify) certifier.emplace(scene, maps, options.frame, record.has("tangent"));
     query::HitWriter writer(options.outfile, format, record, reader->count());

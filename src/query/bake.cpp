@@ -91,7 +91,9 @@ Baker::Baker(gpu::Device& device, const Scene& scene, const SceneMaps& maps, con
       grid_(grid),
       progress_(progress),
       engine_(device, scene, maps, packed, device_scene,
-              {.frame = Frame::Body, .whole = false, .secondary = true, .between_blocks = [this] { alive(); }}) {
+              {.frame = Frame::Body, .parts = AnswerParts::none(), .secondary = true, .between_blocks = [this] {
+                   alive();
+               }}) {
     body_ = &engine_.shapes()[bodyOf(scene)];
     if (!body_->heights) throwInvalid("{}: bake needs a displacedsphere, and the scene has none", scene.name);
     for (int i = 0; i < grid.width; ++i) {
@@ -176,7 +178,8 @@ std::vector<dvec3> Baker::startsOf(int row) const {
     return starts;
 }
 
-std::vector<std::uint8_t> Baker::freeRays(std::size_t count, const Engine::Source& source) {
+template <typename Source>
+std::vector<std::uint8_t> Baker::freeRays(std::size_t count, const Source& source) {
     std::vector<std::uint8_t> free(count);
     engine_.trace(count, source,
                   [&](std::size_t k, const Answer& answer) { free[k] = answer.hit.status == QueryStatus::Miss; });
@@ -299,7 +302,9 @@ std::array<std::vector<float>, 3> Baker::colour(int samples) {
     const std::size_t n = drawn ? kSides.size() * std::size_t((samples + 3) / 4) : kSides.size();
     Engine looking(
         device_, scene_, maps_, packed_, device_scene_,
-        {.frame = Frame::Body, .wishes = {.colour = true}, .whole = false, .between_blocks = [this] { alive(); }});
+        {.frame = Frame::Body, .wishes = {.colour = true}, .parts = AnswerParts::none(), .between_blocks = [this] {
+             alive();
+         }});
     const std::size_t width = std::size_t(grid_.width);
     std::array<std::vector<float>, 3> planes;
     for (std::vector<float>& plane : planes) plane.resize(grid_.count());

@@ -66,7 +66,8 @@ class Baker {
     dvec3 up(int i, int j) const;
     dvec3 inLocalAxes(int i, int j, const dvec3& east_north_up) const;
     /// free(k): ray k of the source meets nothing.
-    std::vector<std::uint8_t> freeRays(std::size_t count, const Engine::Source& source);
+    template <typename Source>
+    std::vector<std::uint8_t> freeRays(std::size_t count, const Source& source);
     void report(int row);
     /// Error (Interrupted) when the caller says stop.
     void alive() const;

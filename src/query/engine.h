@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace dsphere::query {
@@ -17,12 +18,23 @@ struct RayRows {
     std::size_t count = 0;
 
     QueryRay at(std::size_t i) const;
+    /// Rays begin, begin + 1 and so on.
+    void copyTo(std::size_t begin, std::span<QueryRay> rays) const;
 };
 
 struct Answer {
     QueryHit hit;
     std::array<float, 3> colour{};  ///< direct light, if it was asked for
-    dvec3 device_position{0.0};     ///< the hit in the shape's space on the device
+    dvec3 device_position{0.0};     ///< the hit in the shape's space on the device, if `root` was wanted
+};
+
+/// What the host fills of answers besides status and id; the rest stays as it is in a QueryHit without a hit.
+struct AnswerParts {
+    bool root = true;  ///< t, refined in double
+    bool position = true, normal = true;
+    bool place = true;  ///< latitude, longitude, height, metres, u and v
+
+    static AnswerParts none() { return {false, false, false, false}; }
 };
 
 /// Traces rays through one scene on one device. What is given must outlive it; use from one thread at a time.
@@ -31,20 +43,33 @@ class Engine {
     struct Options {
         Frame frame = Frame::World;
         RayWishes wishes = {};
-        bool whole = true;       ///< false: status and id alone are wanted
+        AnswerParts parts = {};
         bool secondary = false;  ///< by the rules of shadow rays: they leave a surface, and a start inside is no hit
         std::function<void()> between_blocks = {};  ///< called every few hundredths of a second; may throw
     };
-    using Source = std::function<QueryRay(std::size_t)>;
-    /// Takes the answer of a ray, once for each; called from many threads.
-    using Sink = std::function<void(std::size_t, const Answer&)>;
+    /// Fills rays first, first + 1 and so on; called from many threads.
+    using Source = std::function<void(std::size_t first, std::span<QueryRay> rays)>;
+    /// Takes the answers of these rays, once for each; called from many threads.
+    using Sink =
+        std::function<void(std::size_t first, std::span<const QueryRay> rays, std::span<const Answer> answers)>;
 
     Engine(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const PackedScene& packed,
            const DeviceScene& device_scene, const Options& options);
 
-    /// Rays 0 to count - 1 of the source, which is called from many threads too.
-    void trace(std::size_t count, const Source& source, const Sink& sink);
-    void trace(const RayRows& rays, const Sink& sink);
+    /// Rays 0 to count - 1 of the source.
+    void traceBatches(std::size_t count, const Source& source, const Sink& sink);
+    /// Same as traceBatches, ray by ray: source(i) gives ray i, sink(i, answer) takes its answer.
+    template <typename RaySource, typename AnswerSink>
+    void trace(std::size_t count, const RaySource& source, const AnswerSink& sink) {
+        traceBatches(
+            count,
+            [&](std::size_t first, std::span<QueryRay> rays) {
+                for (std::size_t k = 0; k < rays.size(); ++k) rays[k] = source(first + k);
+            },
+            [&](std::size_t first, std::span<const QueryRay>, std::span<const Answer> answers) {
+                for (std::size_t k = 0; k < answers.size(); ++k) sink(first + k, answers[k]);
+            });
+    }
 
     const std::vector<ShapeFrame>& shapes() const { return shapes_; }
     std::uint64_t retried() const { return retried_; }
@@ -52,9 +77,16 @@ class Engine {
     std::uint64_t runaways() const { return runaways_; }
 
   private:
-    void pack(RayBlock& block, std::size_t first, std::size_t count, const Source& source) const;
-    void finish(const RayBlock& block, std::size_t first, std::size_t count, const Source& source, const Sink& sink);
-    Answer answerOf(const QueryRay& ray, const layout::QueryHit& found, const layout::QueryLook* look) const;
+    /// Some rays, on the host and on the device.
+    struct Block {
+        std::vector<QueryRay> rays;
+        std::unique_ptr<RayBlock> on_device;
+    };
+
+    void pack(Block& block, std::size_t first, std::size_t count, const Source& source) const;
+    void finish(const Block& block, std::size_t first, std::size_t count, const Sink& sink);
+    void fill(Answer& answer, const QueryRay& ray, const layout::QueryHit& found, const layout::QueryLook* look) const;
+    void fillHit(Answer& answer, const QueryRay& ray, const layout::QueryHit& found) const;
 
     Options options_;
     std::vector<ShapeFrame> shapes_;
@@ -62,7 +94,7 @@ class Engine {
     std::uint32_t seed_;
     RayPipelines pipelines_;
     std::uint32_t capacity_;
-    std::vector<std::unique_ptr<RayBlock>> blocks_;  ///< two: one is packed and read while the device has the other
+    std::vector<Block> blocks_;  ///< two: one is packed and read while the device has the other
     std::uint64_t traced_ = 0, retried_ = 0, runaways_ = 0;
 };
 

@@ -7,9 +7,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstring>
-#include <functional>
 #include <iterator>
+#include <type_traits>
 
 namespace dsphere::query {
 
@@ -23,28 +24,19 @@ struct Field {
     const char* name;
     Type type;
     int count;
-    const void* (*from)(const QueryHit&, const Truth&);
+    std::size_t offset;  ///< in QueryHit, or from kCertified on in Truth
 };
 
-// NOLINTBEGIN: one line a field
 constexpr Field kFields[] = {
-    {"status", Type::Byte, 1, [](const QueryHit& hit, const Truth&) -> const void* { return &hit.status; }},
-    {"t", Type::Double, 1, [](const QueryHit& hit, const Truth&) -> const void* { return &hit.t; }},
-    {"P", Type::Double, 3, [](const QueryHit& hit, const Truth&) -> const void* { return hit.position.data(); }},
-    {"N", Type::Float, 3, [](const QueryHit& hit, const Truth&) -> const void* { return hit.normal.data(); }},
-    {"u", Type::Double, 1, [](const QueryHit& hit, const Truth&) -> const void* { return &hit.u; }},
-    {"v", Type::Double, 1, [](const QueryHit& hit, const Truth&) -> const void* { return &hit.v; }},
-    {"lat", Type::Double, 1, [](const QueryHit& hit, const Truth&) -> const void* { return &hit.latitude; }},
-    {"lon", Type::Double, 1, [](const QueryHit& hit, const Truth&) -> const void* { return &hit.longitude; }},
-    {"height", Type::Double, 1, [](const QueryHit& hit, const Truth&) -> const void* { return &hit.height; }},
-    {"metres", Type::Double, 1, [](const QueryHit& hit, const Truth&) -> const void* { return &hit.metres; }},
-    {"id", Type::Word, 1, [](const QueryHit& hit, const Truth&) -> const void* { return &hit.id; }},
-    {"lit", Type::Word, 1, [](const QueryHit& hit, const Truth&) -> const void* { return &hit.lit; }},
-    {"t_low", Type::Double, 1, [](const QueryHit&, const Truth& truth) -> const void* { return &truth.t_low; }},
-    {"t_high", Type::Double, 1, [](const QueryHit&, const Truth& truth) -> const void* { return &truth.t_high; }},
-    {"tangent", Type::Byte, 1, [](const QueryHit&, const Truth& truth) -> const void* { return &truth.tangent; }},
+    {"status", Type::Byte, 1, offsetof(QueryHit, status)},   {"t", Type::Double, 1, offsetof(QueryHit, t)},
+    {"P", Type::Double, 3, offsetof(QueryHit, position)},    {"N", Type::Float, 3, offsetof(QueryHit, normal)},
+    {"u", Type::Double, 1, offsetof(QueryHit, u)},           {"v", Type::Double, 1, offsetof(QueryHit, v)},
+    {"lat", Type::Double, 1, offsetof(QueryHit, latitude)},  {"lon", Type::Double, 1, offsetof(QueryHit, longitude)},
+    {"height", Type::Double, 1, offsetof(QueryHit, height)}, {"metres", Type::Double, 1, offsetof(QueryHit, metres)},
+    {"id", Type::Word, 1, offsetof(QueryHit, id)},           {"lit", Type::Word, 1, offsetof(QueryHit, lit)},
+    {"t_low", Type::Double, 1, offsetof(Truth, t_low)},      {"t_high", Type::Double, 1, offsetof(Truth, t_high)},
+    {"tangent", Type::Byte, 1, offsetof(Truth, tangent)},
 };
-// NOLINTEND
 constexpr int kCertified = 12;  // where those of --certify begin
 
 std::size_t bytesOf(Type type) {
@@ -96,11 +88,23 @@ bool Record::has(const std::string& name) const {
     return std::ranges::any_of(fields_, [&](int i) { return name == kFields[i].name; });
 }
 
-void Record::put(std::byte* target, const QueryHit& hit, const Truth& truth) const {
+void Record::put(std::byte* target, std::span<const Answer> answers, std::span<const Truth> truths) const {
     for (const int i : fields_) {
         const Field& field = kFields[i];
+        const bool certified = i >= kCertified;
+        const std::byte* source = certified ? std::as_bytes(truths).data() : std::as_bytes(answers).data();
+        const std::size_t stride = certified ? sizeof(Truth) : sizeof(Answer);
+        source += field.offset + (certified ? 0 : offsetof(Answer, hit));
+        const auto copyAll = [&](auto bytes) {  // a constant: such copies need no call
+            for (std::size_t k = 0; k < answers.size(); ++k)
+                std::memcpy(target + k * bytes_, source + k * stride, bytes);
+        };
         const std::size_t bytes = bytesOf(field.type) * std::size_t(field.count);
-        std::memcpy(target, field.from(hit, truth), bytes);
+        if (bytes == 1) copyAll(std::integral_constant<std::size_t, 1>());
+        if (bytes == 4) copyAll(std::integral_constant<std::size_t, 4>());
+        if (bytes == 8) copyAll(std::integral_constant<std::size_t, 8>());
+        if (bytes == 12) copyAll(std::integral_constant<std::size_t, 12>());
+        if (bytes == 24) copyAll(std::integral_constant<std::size_t, 24>());
         target += bytes;
     }
 }

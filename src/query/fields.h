@@ -20,7 +20,8 @@ class Record {
 
     std::size_t bytes() const { return bytes_; }
     bool has(const std::string& name) const;
-    void put(std::byte* target, const QueryHit& hit, const Truth& truth) const;
+    /// One record after the other; `truths`, one an answer, may be empty if none of the fields is of --certify.
+    void put(std::byte* target, std::span<const Answer> answers, std::span<const Truth> truths) const;
 
     /// NumPy's description: [('status', '|u1'), ('P', '<f8', (3,))].
     std::string numpyType() const;

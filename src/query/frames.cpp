@@ -38,6 +38,8 @@ std::vector<ShapeFrame> shapeFrames(const Scene& scene, const SceneMaps& maps, c
         result.frame_from_device_normal = glm::transpose(dmat3(object_from_frame));
         result.geometry = &shape.geometry;
         result.relief = maps.reliefs[k];
+        result.base = result.relief.base / result.unit;
+        result.scale = result.relief.scale / result.unit;
         if (maps.map_of_shape[k] >= 0) {
             const Heightmap& map = *maps.maps[std::size_t(maps.map_of_shape[k])];
             result.heights.emplace(map, result.relief.filter);
@@ -46,21 +48,6 @@ std::vector<ShapeFrame> shapeFrames(const Scene& scene, const SceneMaps& maps, c
         frames.push_back(result);
     }
     return frames;
-}
-
-DeviceRay deviceRay(const ShapeFrame& shape, const QueryRay& ray) {
-    const dvec3 given(ray.direction[0], ray.direction[1], ray.direction[2]);
-    // Scaled first, so that no square overflows or vanishes.
-    const double scale = std::max({std::abs(given.x), std::abs(given.y), std::abs(given.z)});
-    const dvec3 d = transformVector(shape.device_from_frame, given / scale);
-    const dvec3 o = transformPoint(shape.device_from_frame, dvec3(ray.origin[0], ray.origin[1], ray.origin[2]));
-    const double size = glm::length(d);
-    DeviceRay result;
-    result.direction = d / size;
-    result.point = glm::cross(result.direction, glm::cross(o, result.direction));
-    result.origin = glm::dot(o, result.direction);
-    result.length = size * scale;
-    return result;
 }
 
 }  // namespace dsphere::query

@@ -13,14 +13,24 @@ namespace {
 constexpr std::size_t kBlockRays = 1u << 19;
 constexpr std::size_t kCertifiedRays = 1u << 14;  // the reference takes long over each: progress, and Ctrl-C
 
-// Counts of a block; answers come from many threads.
+// Counts of answers; they come from many threads.
 struct BlockCounts {
-    std::atomic<std::uint64_t> of[256] = {};
+    std::atomic<std::uint64_t> hits = 0, inside = 0, invalid = 0;
 
+    void add(std::span<const Answer> answers) {
+        addThose(hits, answers, QueryStatus::Hit);
+        addThose(inside, answers, QueryStatus::Inside);
+        addThose(invalid, answers, QueryStatus::Invalid);
+    }
+    static void addThose(std::atomic<std::uint64_t>& count, std::span<const Answer> answers, QueryStatus status) {
+        std::uint64_t some = 0;
+        for (const Answer& answer : answers) some += answer.hit.status == status;
+        if (some > 0) count += some;
+    }
     void addTo(StreamCounts& counts) const {
-        counts.hits += of[std::size_t(QueryStatus::Hit)];
-        counts.inside += of[std::size_t(QueryStatus::Inside)];
-        counts.invalid += of[std::size_t(QueryStatus::Invalid)];
+        counts.hits += hits;
+        counts.inside += inside;
+        counts.invalid += invalid;
     }
 };
 
@@ -46,11 +56,15 @@ StreamCounts streamRays(RayReader& reader, Engine& engine, const Record& record,
         reading = readInto(1 - side);
         records[side].resize(rays.count * record.bytes());
         BlockCounts block;
-        engine.trace(rays, [&](std::size_t i, const Answer& answer) {
-            block.of[std::size_t(answer.hit.status)].fetch_add(1, std::memory_order_relaxed);
-            const Truth truth = certifier ? certifier->check(counts.rays + i, rays.at(i), answer) : Truth();
-            record.put(records[side].data() + i * record.bytes(), answer.hit, truth);
-        });
+        engine.traceBatches(
+            rays.count, [&](std::size_t first, std::span<QueryRay> some) { rays.copyTo(first, some); },
+            [&](std::size_t first, std::span<const QueryRay> some, std::span<const Answer> answers) {
+                block.add(answers);
+                std::vector<Truth> truths;
+                for (std::size_t k = 0; certifier && k < some.size(); ++k)
+                    truths.push_back(certifier->check(counts.rays + first + k, some[k], answers[k]));
+                record.put(records[side].data() + first * record.bytes(), answers, truths);
+            });
         block.addTo(counts);
         counts.rays += rays.count;
         if (writing.valid()) writing.get();

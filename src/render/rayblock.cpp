@@ -1,7 +1,6 @@
 #include "render/rayblock.h"
 
 #include "render/marchpipeline.h"
-#include "render/narrow.h"
 #include "render/variants.h"
 #include "shaders/query_filter.spv.h"
 #include "shaders/query_filter_curved.spv.h"
@@ -16,7 +15,6 @@
 #include "shaders/query_planet_full_curved.spv.h"
 #include "shaders/query_planet_full_paths.spv.h"
 
-#include <algorithm>
 #include <cstring>
 
 namespace dsphere {
@@ -30,10 +28,6 @@ const Shaders kFull = {{kSpirv_query_full, kSpirv_query_full_curved, kSpirv_quer
                        {kSpirv_query_planet_full, kSpirv_query_planet_full_curved, kSpirv_query_planet_full_paths}};
 
 constexpr std::uint32_t kGroup = GROUP_SIZE_X * GROUP_SIZE_Y;
-// In R. Squares of greater lengths would overflow in floats, and nothing that a float says of the surface lies farther
-// off.
-constexpr double kFarthest = 1e15;
-
 std::uint32_t planesOf(const RayWishes& wishes) {
     return (wishes.lit ? 1u << PLANE_LIT : 0u) | (wishes.colour ? 7u << PLANE_R : 0u) |
            (wishes.place ? 1u << PLANE_U : 0u);
@@ -65,15 +59,6 @@ RayPipelines::RayPipelines(gpu::Device& device, const SceneTraits& traits, const
         full_ = std::async(std::launch::async, [make] { return make(kFull); }).share();
     first_ = make(kFilter);
     if (traits.tiles) listed_ = make(kFilter, true);
-}
-
-layout::QueryRay packRay(const dvec3& point, const dvec3& direction, double begin, double end, bool secondary) {
-    layout::QueryRay ray;
-    ray.point = narrow(point, std::clamp(begin, -kFarthest, kFarthest));
-    ray.point_lo = narrow(point - dvec3(ray.point), std::clamp(end, -kFarthest, kFarthest));
-    ray.direction = narrow(direction, secondary ? 1.0 : 0.0);
-    ray.direction_lo = narrow(direction - dvec3(ray.direction), 0.0);
-    return ray;
 }
 
 RayBlock::RayBlock(gpu::Device& device, const RayPipelines& pipelines, const DeviceScene& scene,

@@ -5,7 +5,9 @@
 #include "gpu/pipeline.h"
 #include "render/absentlist.h"
 #include "render/devicescene.h"
+#include "render/narrow.h"
 
+#include <algorithm>
 #include <future>
 #include <optional>
 #include <span>
@@ -38,7 +40,17 @@ class RayPipelines {
 
 /// Packs a ray of an object's space in units of R, in double. The direction is unit, `point` the ray's point nearest
 /// the centre; the ray begins and ends at these distances from there, which may be infinite.
-layout::QueryRay packRay(const dvec3& point, const dvec3& direction, double begin, double end, bool secondary);
+inline layout::QueryRay packRay(const dvec3& point, const dvec3& direction, double begin, double end, bool secondary) {
+    // In R. Squares of greater lengths would overflow in floats, and nothing that a float says of the surface lies
+    // farther off.
+    constexpr double kFarthest = 1e15;
+    layout::QueryRay ray;
+    ray.point = narrow(point, std::clamp(begin, -kFarthest, kFarthest));
+    ray.point_lo = narrow(point - dvec3(ray.point), std::clamp(end, -kFarthest, kFarthest));
+    ray.direction = narrow(direction, secondary ? 1.0 : 0.0);
+    ray.direction_lo = narrow(direction - dvec3(ray.direction), 0.0);
+    return ray;
+}
 
 /// Room on the device for some rays and their answers, and the trace of them. All that is given must outlive it.
 class RayBlock {

@@ -43,12 +43,24 @@ HeightSample Interpolator::at(double longitude, double colatitude) const {
         sample.stored = pole + share * (edge.stored - pole);
         sample.per_longitude = share * edge.per_longitude;
         sample.per_colatitude = (north ? 2.0 : -2.0) * (edge.stored - pole);
+        sample.mixed = (north ? 2.0 : -2.0) * edge.per_longitude;
     } else {
         sample = atTexel(column, row);
     }
     sample.per_longitude *= columns_per_radian_;
     sample.per_colatitude *= rows_per_radian_;
+    sample.mixed *= columns_per_radian_ * rows_per_radian_;
     return sample;
+}
+
+// Rows from a pole to the row of values next to it have floors of their own: -1 and that of the last row.
+bool Interpolator::onOnePatch(double longitude_a, double colatitude_a, double longitude_b, double colatitude_b) const {
+    if (spline_ || map_->ripples) return false;
+    const auto column = [&](double longitude) { return std::floor(longitude * columns_per_radian_ - first_column_); };
+    const auto row = [&](double colatitude) {
+        return std::floor(colatitude * rows_per_radian_ - (texel_ ? 0.5 : 0.0));
+    };
+    return column(longitude_a) == column(longitude_b) && row(colatitude_a) == row(colatitude_b);
 }
 
 // Rows of gridline registration that are poles hold one value.
@@ -62,14 +74,15 @@ HeightSample Interpolator::bilinear(double column, double row) const {
     const int width = map_->width, last = map_->height - 1;
     const double floor = std::floor(column);
     const double a = column - floor;
-    int i = int(floor) % width;
-    if (i < 0) i += width;
+    int i = int(floor);  // from minus one and a half widths on
+    while (i < 0) i += width;
+    if (i >= width) i -= width;
     const int next = i + 1 < width ? i + 1 : 0;
     const int j = std::clamp(int(row), 0, std::max(last - 1, 0)), below = std::min(j + 1, last);
     const double b = row - j;
     const double nw = texel(i, j), ne = texel(next, j), sw = texel(i, below), se = texel(next, below);
     const double north = nw + a * (ne - nw), south = sw + a * (se - sw);
-    return {north + b * (south - north), (1.0 - b) * (ne - nw) + b * (se - sw), south - north};
+    return {north + b * (south - north), (1.0 - b) * (ne - nw) + b * (se - sw), south - north, (se - sw) - (ne - nw)};
 }
 
 // Beyond the first and the last row texels repeat; gridline rows are mirrored through the pole's value.

@@ -7,6 +7,7 @@ namespace dsphere {
 /// A stored value, and how it grows eastward and southward: stored units per radian.
 struct HeightSample {
     double stored = 0.0, per_longitude = 0.0, per_colatitude = 0.0;
+    double mixed = 0.0;  ///< on a bilinear patch, which it describes entirely: how one slope grows along the other
 };
 
 /// The stored value at any place of a map, in double: the definition of docs/scene-format.md as it stands, read from
@@ -18,6 +19,9 @@ class Interpolator {
     /// Of a longitude in [-pi, pi], atan2(x, z), and a colatitude in [0, pi], counted from +y. Radians. On a crease the
     /// slopes are those of one side.
     HeightSample at(double longitude, double colatitude) const;
+
+    /// Whether two places, which may have left the ranges of at() by a step, are on one and the same bilinear patch.
+    bool onOnePatch(double longitude_a, double colatitude_a, double longitude_b, double colatitude_b) const;
 
   private:
     /// With slopes per column and row.

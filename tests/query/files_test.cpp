@@ -148,13 +148,13 @@ TEST_F(RayFile, PlacesNeedADisplacedSphere) {
 TEST_F(RayFile, RecordsAreWrittenAsNumPyReadsThem) {
     const Record record({"status", "P", "lit", "t_low"});
     EXPECT_EQ(record.bytes(), 1u + 24u + 4u + 8u);
-    QueryHit hit;
+    std::vector<Answer> answers(2);
+    QueryHit& hit = answers[0].hit;
     hit.status = QueryStatus::Hit;
     hit.position = {1.5, 2.0, 3.0};
     hit.lit = 7;
     std::vector<std::byte> bytes(2 * record.bytes());
-    record.put(bytes.data(), hit, Truth());
-    record.put(bytes.data() + record.bytes(), QueryHit(), Truth());
+    record.put(bytes.data(), answers, std::vector<Truth>(2));
     const std::string name = (folder_.path() / "hits.npy").string();
     HitWriter writer(name, FileFormat::Npy, record, {});  // the count comes at the end
     writer.write(bytes);

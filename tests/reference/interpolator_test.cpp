@@ -52,5 +52,29 @@ TEST(Interpolator, KnowsTheLongitudeOriginAndRipples) {
     expectSame(ripples, Filter::Bilinear);
 }
 
+// On one patch a sample tells all the others.
+TEST(Interpolator, ASampleDescribesItsWholePatch) {
+    for (Registration registration : {Registration::Texel, Registration::Gridline}) {
+        const Heightmap map = noiseMap(16, 9, registration, 5);
+        const Interpolator heights(map, Filter::Bilinear);
+        Random random(11);
+        int same = 0;
+        for (int i = 0; i < 4000; ++i) {
+            const dvec3 p = randomUnit(random), q = randomUnit(random);
+            const double longitude = std::atan2(p.x, p.z), colatitude = std::acos(p.y);
+            const double east = 0.1 * q.x, south = 0.1 * q.y;
+            if (std::abs(longitude + east) > kPi || colatitude + south < 0.0 || colatitude + south > kPi) continue;
+            if (!heights.onOnePatch(longitude, colatitude, longitude + east, colatitude + south)) continue;
+            ++same;
+            const HeightSample from = heights.at(longitude, colatitude);
+            const double there =
+                from.stored + east * from.per_longitude + south * from.per_colatitude + east * south * from.mixed;
+            ASSERT_NEAR(there, heights.at(longitude + east, colatitude + south).stored, 1e-12);
+        }
+        EXPECT_GT(same, 1000);
+        EXPECT_FALSE(Interpolator(map, Filter::BSpline).onOnePatch(0.1, 0.1, 0.1, 0.1)) << "no such patch";
+    }
+}
+
 }  // namespace
 }  // namespace dsphere::reference::test
