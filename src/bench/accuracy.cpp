@@ -2,8 +2,8 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "bench/pixelsize.h"
 #include "reference/camera.h"
-#include "render/raster.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,19 +16,6 @@ namespace dsphere::bench {
 namespace {
 
 constexpr std::size_t kChunk = 128;  // pixels a task
-
-/// World lengths that a pixel spans at a distance t of the camera.
-struct PixelSize {
-    double constant, per_distance;
-
-    explicit PixelSize(const View& view) {
-        const Raster raster = makeRaster(view.camera, view.film);
-        const dvec3 middle = raster.direction.at(0.5 * view.film.width, 0.5 * view.film.height);
-        constant = glm::length(raster.start.right);
-        per_distance = glm::length(raster.direction.right) / glm::length(middle);
-    }
-    double at(double t) const { return constant + per_distance * t; }
-};
 
 struct Part {
     verify::Report report;
@@ -45,7 +32,7 @@ void judgePixel(Part& part, const verify::Comparison& comparison, const View& vi
     comparison.checkHit(part.report, answer.pixel, {ray.origin, ray.direction}, answer.answer);
     if (part.report.distances.size() > before)
         part.pixels.push_back(float(part.report.distances.back() * comparison.unit(0) / size.at(answer.answer.t)));
-    if (answer.answer.hit && exact.answer.hit && !exact.answer.inside) {
+    if (answer.has_light && answer.answer.hit && exact.answer.hit && !exact.answer.inside) {
         verify::LightAnswer light;
         light.start = exact.start;
         light.lit = answer.lit ? 1u : 0u;

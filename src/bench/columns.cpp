@@ -22,10 +22,10 @@ const MethodResult* find(const ViewResult& view, const char* name) {
 }  // namespace
 
 const Cells& columnNames() {
-    static const Cells kNames = {"method",      "primary Mrays/s", "shadow Mrays/s", "wall primary",
-                                 "wall shadow", "set-up s",        "memory MiB",     "fetches a hit",
-                                 "wrong hits",  "later roots",     "wrong shadows",  "tangent",
-                                 "median /R",   "99.9 % /R",       "greatest /R",    "99.9 % pixels"};
+    static const Cells kNames = {"method",          "primary Mrays/s", "shadow Mrays/s", "wall primary", "wall shadow",
+                                 "set-up s",        "memory MiB",      "fetches a hit",  "wrong hits",   "later roots",
+                                 "wrong a million", "wrong shadows",   "tangent",        "median /R",    "99.9 % /R",
+                                 "greatest /R",     "99.9 % pixels"};
     return kNames;
 }
 
@@ -48,8 +48,10 @@ Cells cellsOf(const MethodResult& method) {
         return cells;
     }
     const Accuracy& of = *method.accuracy;
-    for (std::uint64_t count : {of.wrong_verdicts, of.later_roots, of.wrong_shadows, of.tangent + of.tangent_shadows})
-        cells.push_back(fmt::format("{}", count));
+    for (std::uint64_t count : {of.wrong_verdicts, of.later_roots}) cells.push_back(fmt::format("{}", count));
+    cells.push_back(wrongOfAMillion(method));
+    cells.push_back(of.shadow_rays > 0 ? fmt::format("{}", of.wrong_shadows) : "-");
+    cells.push_back(fmt::format("{}", of.tangent + of.tangent_shadows));
     for (double value : {of.distance_median, of.distance_999, of.distance_greatest, of.pixels_999})
         cells.push_back(fmt::format("{:.2g}", value));
     return cells;
@@ -103,13 +105,18 @@ const Cells& explanations() {
         "before "
         "the first; a later root is one taken for the first; a wrong shadow is a pixel whose light differs from what "
         "the "
-        "reference says at the true hit. Rays whose answer changes when they move sideways by 1e-6 R are tangent: "
+        "reference says at the true hit. \"Wrong a million\" are wrong hits and later roots together, of a million "
+        "camera rays of the view. Rays whose answer changes when they move sideways by 1e-6 R are tangent: "
         "counted apart, either answer is right. Distances are from a hit to the true surface, in units of the greatest "
         "radius R, and as seen, in pixels.",
         "exact is this program's marcher; detail the same on the coarsest level of the map that is off by so many "
         "pixels at most. naive steps by |p| - r until that is under its threshold, in units of R. "
         "lipschitz divides that step by a proven bound of the slope, and stops at 3e-6. grid and triangles are meshes "
-        "of the map's nodes, of every second (1/2) or fourth (1/4) node. smooth is a sphere without a map: no method "
+        "of the map's nodes, of every second (1/2) or fourth (1/4) node. iterated is photogrammetry's iteration: from "
+        "the hit with "
+        "a sphere to that with the sphere of the radius found there, until a hundredth of a pixel or 100 turns; "
+        "iterated "
+        "secant takes the secant's zero instead. smooth is a sphere without a map: no method "
         "can "
         "be "
         "faster."};

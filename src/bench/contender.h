@@ -19,8 +19,9 @@ struct Timing {
 struct PixelAnswer {
     std::size_t pixel = 0;
     verify::Answer answer;
-    dvec3 start{0.0};  ///< the device's: P', object units
-    bool lit = false;  ///< by the one sun
+    dvec3 start{0.0};       ///< the device's: P', object units
+    bool has_light = true;  ///< false: the method finds no shadows
+    bool lit = false;       ///< by the one sun
     bool runaway = false;
 };
 

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kFloor = "smooth";
 
 int styleOf(const std::string& family) {
-    const char* families[] = {"exact", "naive", "lipschitz", kFloor, "grid", "triangles", "detail"};
+    const char* families[] = {"exact", "naive", "lipschitz", kFloor, "grid", "triangles", "detail", "iterated"};
     for (int k = 0; k < int(std::size(families)); ++k)
         if (family == families[k]) return k;
     return 0;

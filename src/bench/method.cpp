@@ -32,6 +32,8 @@ std::vector<Method> allMethods() {
         march("naive", "3e-6", {Marcher::Naive, 3e-6f}),
         march("lipschitz", "", {Marcher::Lipschitz, 3e-6f}),
         {"smooth", "smooth", Engine::SmoothSphere, {}, 1},
+        {"iterated", "iterated", Engine::Iterated, {}, 1},
+        {"iterated secant", "iterated", Engine::Secant, {}, 1},
     };
     if (!haveEmbree()) return methods;
     for (int coarsening : {1, 2, 4}) methods.push_back(mesh("grid", Engine::GridMesh, coarsening));

@@ -7,8 +7,9 @@
 
 namespace dsphere::bench {
 
-/// What finds the hits: this program's marchers on the device, or a mesh that Embree traces on the host.
-enum class Engine { Device, SmoothSphere, GridMesh, TriangleMesh };
+/// What finds the hits: this program's marchers on the device, photogrammetry's iteration on the host, or a mesh that
+/// Embree traces there.
+enum class Engine { Device, SmoothSphere, Iterated, Secant, GridMesh, TriangleMesh };
 
 struct Method {
     std::string name;    ///< unique: "naive 1e-4"
@@ -18,6 +19,7 @@ struct Method {
     int coarsening = 1;  ///< meshes: every n-th node of the map is a vertex
 
     Levels levels() const { return march.detail > 0.0f ? Levels::All : Levels::Finest; }
+    bool isIterated() const { return engine == Engine::Iterated || engine == Engine::Secant; }
     bool isMesh() const { return engine == Engine::GridMesh || engine == Engine::TriangleMesh; }
     /// The floor has no error: it is another surface.
     bool hasError() const { return engine != Engine::SmoothSphere; }

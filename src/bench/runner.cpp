@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "bench/accuracy.h"
 #include "bench/devicecontender.h"
+#include "bench/iterated.h"
 
 #include <unistd.h>
 
@@ -159,6 +160,9 @@ std::vector<Entry> WorkloadRun::enter(const View& view) {
                 entry.contender = mesh.scene->contender(workload_, view);
                 entry.result.memory_bytes = mesh.scene->memoryBytes() + film;
             }
+        } else if (method.isIterated()) {
+            entry.contender = makeIteratedContender(workload_, view, method.engine == Engine::Secant);
+            entry.result.memory_bytes = std::uint64_t(workload_.width) * std::uint64_t(workload_.height) * 4 + film;
         } else {
             DeviceView& on = viewFor(method);
             entry.contender = makeDeviceContender(on, method, unit(), [this] { return meter_.update(); });
@@ -232,10 +236,11 @@ ViewResult WorkloadRun::runView(std::size_t index) {
         Entry& entry = entries[k];
         if (entry.contender) finish(entry, view, pixels, exact, result);
         if (entry.contender && index == 0) {
-            double first_frame = spreadOf(pick(entry.primary, &Timing::wall)).median;
-            for (double& seconds : meshes_[k].build_seconds) seconds += first_frame;
-            entry.result.setup_seconds =
-                entry.method->isMesh() ? spreadOf(meshes_[k].build_seconds) : setup(*entry.method, view);
+            const Spread first_frame = spreadOf(pick(entry.primary, &Timing::wall));
+            for (double& seconds : meshes_[k].build_seconds) seconds += first_frame.median;
+            entry.result.setup_seconds = entry.method->isIterated() ? first_frame  // it takes the map as it is
+                                         : entry.method->isMesh()   ? spreadOf(meshes_[k].build_seconds)
+                                                                    : setup(*entry.method, view);
         }
         result.methods.push_back(std::move(entry.result));
     }

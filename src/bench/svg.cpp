@@ -115,6 +115,7 @@ const std::vector<dvec2>& outline(int style) {
          {-1.2, -0.4},
          {-0.4, -0.4}},
         {{0.0, -1.15}, {1.09, -0.36}, {0.68, 0.93}, {-0.68, 0.93}, {-1.09, -0.36}},  // pentagon
+        {{-1.2, -0.5}, {1.2, -0.5}, {1.2, 0.5}, {-1.2, 0.5}},                        // bar
     };
     return kOutlines[std::size_t(style)];
 }
@@ -136,8 +137,8 @@ void Svg::mark(dvec2 at, int style, const std::string& tooltip, double size) {
 
 // The palette of Okabe and Ito, which colour-blind readers can tell apart; lighter on dark ground.
 std::string plotStyle() {
-    const char* light[] = {"#0072b2", "#d55e00", "#b8860b", "#6b6b6b", "#009e73", "#b0558a", "#7b5bd6"};
-    const char* dark[] = {"#56b4e9", "#f0884a", "#e6c229", "#a8a8a8", "#2fc99b", "#dd8fbb", "#b49cf5"};
+    const char* light[] = {"#0072b2", "#d55e00", "#b8860b", "#6b6b6b", "#009e73", "#b0558a", "#7b5bd6", "#8a3b12"};
+    const char* dark[] = {"#56b4e9", "#f0884a", "#e6c229", "#a8a8a8", "#2fc99b", "#dd8fbb", "#b49cf5", "#c98f6b"};
     std::string css =
         "svg text{font:11px system-ui,sans-serif;fill:var(--ink)}svg .small{font-size:10px}"
         "svg .title{font-size:12px;font-weight:600}svg .faint{fill:var(--faint)}"

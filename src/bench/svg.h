@@ -58,7 +58,7 @@ class Svg {
 
     std::string finish() const { return text_ + "</svg>\n"; }
 
-    static constexpr int kStyles = 7;
+    static constexpr int kStyles = 8;
 
   private:
     std::string text_;

@@ -36,6 +36,12 @@ std::string mebibytes(std::uint64_t bytes) {
     return threeDigits(double(bytes) / 1048576.0);
 }
 
+std::string wrongOfAMillion(const MethodResult& method) {
+    if (!method.accuracy || method.accuracy->rays == 0) return "-";
+    const Accuracy& of = *method.accuracy;
+    return fmt::format("{:.0f}", 1e6 * double(of.wrong_verdicts + of.later_roots) / double(of.rays));
+}
+
 std::string fetches(const MethodResult& method) {
     return method.fetches_per_hit > 0.0 ? fmt::format("{:.1f}", method.fetches_per_hit) : "-";
 }

@@ -14,6 +14,8 @@ std::string megaRays(const Spread& rays_per_second);
 std::string megaRaysMedian(const Spread& rays_per_second);
 std::string seconds(const Spread& spread);
 std::string mebibytes(std::uint64_t bytes);
+/// First hits that are wrong, later roots included, of a million camera rays; "-" without an accuracy.
+std::string wrongOfAMillion(const MethodResult& method);
 std::string fetches(const MethodResult& method);
 
 }  // namespace dsphere::bench

@@ -205,7 +205,7 @@ void addSuiteOptions(CLI::App& command, BenchOptions& options) {
                     "all. Meshes (grid, triangles) need a build with Embree")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->type_name("exact|detail|naive|lipschitz|smooth|grid|triangles");
+        ->type_name("exact|detail|naive|lipschitz|smooth|iterated|grid|triangles");
     command.add_option("--resolution", options.resolution, "Pixels; default: 1280,720, or the scene's film")
         ->type_size(2)
         ->expected(1)
