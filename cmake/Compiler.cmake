@@ -24,8 +24,9 @@ endif()
 function(dsphere_library name)
     cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
     add_library(dsphere_${name} STATIC ${ARG_UNPARSED_ARGUMENTS})
-    target_include_directories(dsphere_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+    target_include_directories(dsphere_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
     target_link_libraries(dsphere_${name} PUBLIC ${ARG_LINK})
+    set_target_properties(dsphere_${name} PROPERTIES EXPORT_NAME ${name})
 endfunction()
 
 # dsphere_unity(target): several files are compiled as one where their common headers, of GoogleTest, JSON or CLI11, are

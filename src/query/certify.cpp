@@ -81,6 +81,7 @@ Truth Certifier::check(std::uint64_t index, const QueryRay& ray, const Answer& a
         result.t_high = ray.t_min + truth.t_high / length;
     }
     if (wants_tangent_) result.tangent = isTangent(world, truth);
+    result.wrong = !part.faults.empty();
     const std::lock_guard lock(mutex_);
     report_.merge(std::move(part));
     return result;

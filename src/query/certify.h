@@ -11,6 +11,7 @@ namespace dsphere::query {
 struct Truth {
     double t_low = QueryHit::kNone, t_high = QueryHit::kNone;  ///< enclose the first root, in units of |direction|
     bool tangent = false;                                      ///< moving the ray sideways by 1e-6 R changes the answer
+    bool wrong = false;                                        ///< the answer breaks the contract
 };
 
 /// Holds answers against the certified reference. Scene and maps must outlive it; thread-safe.

@@ -1,6 +1,7 @@
 #pragma once
 
-// Right first hits for rays of one's own, as a library. Needs nothing but this header and the library.
+// Right first hits for rays of one's own, as a library: find_package(dsphere) and the target dsphere::query. This
+// header needs no other. Everything that fails throws std::runtime_error, whose what() says what is wrong, and where.
 
 #include <array>
 #include <cstddef>
@@ -42,20 +43,27 @@ struct QueryHit {
     std::uint32_t lit = 0;  ///< bit i: light i of the scene is visible from there; none inside
 };
 
+/// An answer with what the certified reference, which shares no code with the device's marcher, says of it.
+struct CertifiedHit {
+    QueryHit hit;
+    double t_low = QueryHit::kNone, t_high = QueryHit::kNone;  ///< enclose the first root; NaN: proven to meet nothing
+    bool wrong = false;  ///< the answer breaks the contract: a defect of the program or of the device
+};
+
 struct QueryOptions {
     /// Body: the object space of the scene's first displaced sphere, whose poles are on the y axis and longitude 0 on
     /// +z.
     enum class Frame { World, Body };
 
     Frame frame = Frame::World;
-    bool lit = false;    ///< whether QueryHit::lit is wanted: it takes a shadow ray for each light
-    std::string device;  ///< a Vulkan device by its index or a part of its name, or "cpu"; empty: the best one
+    bool lit = false;         ///< whether QueryHit::lit is wanted: it takes a shadow ray for each light
+    std::string device = "";  ///< a Vulkan device by its index or a part of its name, or "cpu"; empty: the best one
 };
 
 /// A scene, or a heightmap, made ready on a device. Use from one thread at a time.
 class Query {
   public:
-    /// Reads a scene file or a heightmap. Throws std::runtime_error, whose what() says what is wrong, and where.
+    /// Reads a scene file or a heightmap.
     explicit Query(const std::string& scene_or_map, const QueryOptions& options = {});
     ~Query();
     Query(Query&&) noexcept;
@@ -64,6 +72,12 @@ class Query {
     /// One answer a ray, in their order. Any number of rays; many at once take less time for each.
     std::vector<QueryHit> trace(std::span<const QueryRay> rays);
     QueryHit trace(const QueryRay& ray);
+
+    /// Only whether something lies between t_min and t_max (lines of sight), which is faster.
+    std::vector<QueryStatus> statuses(std::span<const QueryRay> rays);
+
+    /// trace(), and the reference's word on each answer, on all cores; some ten times as slow.
+    std::vector<CertifiedHit> traceCertified(std::span<const QueryRay> rays);
 
   private:
     struct Parts;

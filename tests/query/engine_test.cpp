@@ -243,6 +243,13 @@ TEST(QueryLibrary, AsksAFileOfAScene) {
     EXPECT_EQ(hit.status, QueryStatus::Hit);
     EXPECT_NEAR(hit.t, 3.0, 1e-14);
     EXPECT_NEAR(hit.u, 0.5, 1e-15);
+    const std::vector<QueryRay> rays = {{{0, 0, 5}, {0, 0, -1}}, {{0, 5, 5}, {0, 0, -1}}, {{0, 0, 0}, {0, 0, 1}}};
+    EXPECT_EQ(query.statuses(rays), (std::vector{QueryStatus::Hit, QueryStatus::Miss, QueryStatus::Inside}));
+    const std::vector<CertifiedHit> certified = query.traceCertified(rays);
+    for (const CertifiedHit& answer : certified) EXPECT_FALSE(answer.wrong);
+    EXPECT_NEAR(certified[0].t_low, 3.0, 1e-12);
+    EXPECT_NEAR(certified[0].t_high, 3.0, 1e-12);
+    EXPECT_TRUE(std::isnan(certified[1].t_low));
     EXPECT_TRUE(query.trace(std::span<const QueryRay>()).empty());
     EXPECT_THROW(Query((folder.path() / "none.pbrt").string()), std::runtime_error);
 }
