@@ -54,7 +54,8 @@ void addView(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("view", "Show a scene or a heightmap in a window; H lists the keys");
     auto options = std::make_shared<ViewOptions>();
     addSceneOptions(*command, options->scene);
-    command->get_option("scene")->description("Scene file (.pbrt), or a heightmap, shown over its own range of values");
+    command->get_option("scene")->required(false)->description(
+        "Scene file (.pbrt), or a heightmap, shown over its own range of values; none: the window asks for one");
     command->add_option("--spp", options->scene.samples, "Samples a pixel that a still view refines to");
     command->add_option("--seed", options->scene.seed, "Seed of the sample positions");
     command->add_option("--device", options->viewer.device, "Vulkan device: its index, a part of its name, or cpu")

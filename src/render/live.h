@@ -33,6 +33,8 @@ class LiveFilm {
 
     int samples() const { return samples_; }                                     ///< complete ones
     bool between() const { return part_ == 0 && runs_.front().share() == 0.0; }  ///< no sample is half done
+    /// Of the sample that is being made, 0 to 1.
+    double share() const { return (double(part_) + runs_[part_].share()) / double(runs_.size()); }
     int width() const { return box_.width(); }
     int height() const { return box_.height(); }
     double sampleSeconds() const { return sample_seconds_; }  ///< on the device, of the last complete sample

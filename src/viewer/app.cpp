@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
+#include "viewer/displayworld.h"
 #include "viewer/picturesize.h"
 
 namespace dsphere::viewer {
@@ -29,7 +31,8 @@ App::App(const ViewerOptions& options, Window& window, gpu::Device& renders, gpu
       presenter_(presents, renders),
       display_(renders),
       journal_(options.journal),
-      loader_(options.open) {
+      loader_(options.open,
+              [this](const SceneTraits& traits) { warmUp(renders_, options_.device, traits, options_.method); }) {
     chosen_.view.method = options.method;
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
@@ -62,7 +65,8 @@ void App::say(const std::string& text, Message::Kind kind) {
 }
 
 std::array<int, 2> App::area() const {
-    return {std::max(1, window_.width()), std::max(1, window_.height() - statusHeight(scale_))};
+    const int beside = ui_.docked && ui_.panel_open ? panelWidth(scale_) : 0;
+    return {std::max(1, window_.width() - beside), std::max(1, window_.height() - statusHeight(scale_))};
 }
 
 std::array<int, 2> App::pictureSize() const {
@@ -74,7 +78,7 @@ dvec2 App::share(const dvec2& cursor) const {
 }
 
 int App::targetSamples() const {
-    if (chosen_.view.show != Show::Colour) return 1;
+    if (chosen_.view.show != Show::Colour || stage_->document().stand_in) return 1;
     return options_.samples.value_or(std::clamp(stage_->document().original.sampler.pixel_samples, 16, 65536));
 }
 
@@ -82,6 +86,7 @@ bool App::idle() const {
     if (frames_due_ > 0 || !window_.visible()) return !window_.visible();
     if (!ui_.message.text.empty() && !ui_.message.stays() && window_.now() > ui_.message.until - kFade) return false;
     if (!stage_) return true;
+    if (flight_) return false;
     if (begun_ && schedule_.draft() && stage_->film().samples() == 0) return false;
     return schedule_.want(window_.now(), targetSamples()) == Schedule::Want::Nothing && !schedule_.draft();
 }
@@ -98,11 +103,12 @@ void App::startPicture(bool draft) {
     const auto [most_width, most_height] = pictureSize();
     const int width = std::max(1, int(std::ceil(scale * most_width)));
     const int height = std::max(1, int(std::ceil(scale * most_height)));
-    if (stage_->prepareFilm(chosen_.view.show, most_width, most_height)) display_.forget();
+    if (stage_->prepareFilm(chosen_.view.show, !draft || schedule_.shadows(), most_width, most_height))
+        display_.forget();
     stage_->setCamera(control_->camera(), width, height);
     camera_is_new_ = false;
     const Sampling sampling = draft || chosen_.view.show != Show::Colour ? Sampling::Centres : Sampling::Jittered;
-    stage_->begin(chosen_.view, sampling, !draft || schedule_.shadows());
+    stage_->begin(chosen_.view, sampling);
     draft ? schedule_.beginDraft() : schedule_.beginStill();
     begun_ = true;
     published_ = false;
@@ -136,7 +142,7 @@ bool App::renderSlice() {
         if (film.sampleSeconds() * Schedule::kLeastScale * Schedule::kLeastScale > Schedule::kFrameTarget)
             stage_->makeDraftsReady(chosen_.view);
     }
-    if (screenshot_wanted_ && !draft) takeScreenshot();
+    if (screenshot_wanted_ && !draft && !stage_->document().stand_in) takeScreenshot();
     // Doubling is when the eye sees a difference.
     int samples = film.samples();
     if (!draft && (samples & (samples - 1)) != 0 && samples != targetSamples()) return false;
@@ -158,13 +164,30 @@ bool App::renderOrFallBack() {
     }
 }
 
+ShownRange App::shownRange() const {
+    const Globe& globe = control_->globe();
+    const CursorRay middle = control_->rayAt(0.5 * dvec2(area()[0], area()[1]));
+    const double distance = glm::length(middle.origin - globe.centre()), radius = globe.radius();
+    ShownRange range;
+    range.near = std::max(0.0, distance - radius);
+    range.far = std::sqrt(std::max(distance * distance - 0.8 * radius * radius, 0.01 * radius * radius));
+    std::tie(range.least_height, range.greatest_height) = heightRange(stage_->document(), control_->target());
+    // The nearer, the closer the lines.
+    const double share = std::min(control_->altitude() / radius, 1.0);
+    const double heights = std::max(range.greatest_height - range.least_height, 1e-12);
+    range.contour_spacing = roundStep(heights / 10.0 * std::max(std::sqrt(std::max(share, 0.0)), 0.01));
+    constexpr double kDegrees[] = {15.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1};
+    for (const double degrees : kDegrees)
+        if (degrees == kDegrees[0] || degrees >= 20.0 * share) range.graticule_spacing = degrees;
+    return range;
+}
+
 void App::publish() {
     presenter_.finish();
-    const Globe& globe = control_->globe();
-    CursorRay middle = control_->rayAt(0.5 * dvec2(area()[0], area()[1]));
-    double distance = glm::length(middle.origin - globe.centre()), radius = globe.radius();
-    double horizon = std::sqrt(std::max(distance * distance - 0.8 * radius * radius, 0.01 * radius * radius));
-    display_.convert(stage_->film(), chosen_.view.show, chosen_.tone, std::max(0.0, distance - radius), horizon);
+    const Document& document = stage_->document();
+    shown_range_ = shownRange();
+    display_.convert(stage_->film(), {chosen_.view.show, stage_->shadows(), chosen_.tone, shown_range_},
+                     displayWorld(document), int(document.drawn().lights.size()));
     presenter_.setPicture(display_.pixels(), stage_->film().width(), stage_->film().height());
     published_ = true;
 }
@@ -177,7 +200,7 @@ void App::layOutFrame() {
     hand_.prepare(cursor_, window_.cursorWithin());
     fillUi();
     ImGui::NewFrame();
-    layOut(ui_, {window_.width(), window_.height(), scale_});
+    layOut(ui_, {window_.width(), window_.height(), scale_, area()[0]});
     const bool dividing = hand_.drag == Hand::Drag::Divider;
     if (chosen_.view.split && (dividing || (!ImGui::GetIO().WantCaptureMouse && onDivider(cursor_))))
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
@@ -257,7 +280,7 @@ void App::run() {
         else if (fresh || flew || frames_due_ > 0 || (late && (!idle() || fading || loader_.busy())))
             drawFrame();
         fadeMessage();
-        const bool at_rest = hand_.drag == Hand::Drag::None && !ImGui::IsAnyItemActive();
+        const bool at_rest = !flight_ && hand_.drag == Hand::Drag::None && !ImGui::IsAnyItemActive();
         if (stage_ && at_rest && !schedule_.moving(window_.now())) history_.add(state());
     }
 }

@@ -4,11 +4,13 @@
 
 #include "viewer/camera.h"
 #include "viewer/display.h"
+#include "viewer/flight.h"
 #include "viewer/hand.h"
 #include "viewer/journal.h"
 #include "viewer/latency.h"
 #include "viewer/loader.h"
 #include "viewer/presenter.h"
+#include "viewer/recent.h"
 #include "viewer/schedule.h"
 #include "viewer/stage.h"
 #include "viewer/ui.h"
@@ -39,6 +41,11 @@ class App {
     void scroll(const Event& event);
     void key(const Event& event);
     void resize();
+    void fitView();
+    void zoomAt(const dvec2& cursor, double steps);
+    void flyTo(const Pose& pose);
+    void flyToCursor(const dvec2& cursor);
+    bool isDoubleClick(const Event& event);
     bool flyStep(double seconds);
     bool onDivider(const dvec2& cursor) const;
     std::optional<Hit> hitUnder(const dvec2& cursor);
@@ -48,7 +55,9 @@ class App {
     void runCommand(Command command);
     bool runForWindow(Command command);
     bool runForFiles(Command command);
+    bool runForCamera(Command command);
     void runForView(Command command);
+    void openGoTo();
     void escape();
     void quit();
     void undo(int by);
@@ -67,7 +76,9 @@ class App {
     State state() const;
     void adopt(const State& wanted);
     void fillUi();
+    void fillFigures(Figures& figures) const;
     void applyUi();
+    void applyDialogs();
     std::string hoverText();
     void note(bool shown);
     void noteState(nlohmann::json& line) const;
@@ -84,6 +95,7 @@ class App {
     bool renderSlice();
     bool renderOrFallBack();
     void startPicture(bool draft);
+    ShownRange shownRange() const;
     void publish();
     void layOutFrame();
     void drawFrame();
@@ -120,12 +132,20 @@ class App {
     Watcher watcher_;
     std::unique_ptr<Stage> stage_;
     Schedule schedule_;
+    bool incomplete_ = false;    ///< what the stage's stand-in stands for cannot be shown
     bool camera_is_new_ = true;  ///< the renderer has not got it yet
     bool begun_ = false;         ///< the stage's film is being filled or full
     bool published_ = false;     ///< the window shows what the film holds
+    ShownRange shown_range_;     ///< of what it shows
     bool screenshot_wanted_ = false;
 
     Hand hand_;
+    std::optional<Flight> flight_;
+    double last_click_ = -1e9;  ///< when the left button went down last
+    dvec2 last_click_at_{0.0};
+    bool second_click_ = false;            ///< the button that is down may end a double click
+    std::array<int, 2> fitted_area_ = {};  ///< that the camera's picture fills
+    RecentFiles recent_;
     std::vector<Event> heard_;  ///< events that wait for the loop's next turn
     dvec2 cursor_{0.0};         ///< as of the last event that was handled
     Ui ui_;

@@ -8,17 +8,9 @@ namespace dsphere::viewer {
 namespace {
 
 constexpr double kZoomStep = 0.85;  // of the distance, a notch of the wheel
-constexpr double kFill = 0.9;       // share of the window's shorter side that axisView gives to the globe
 
 CursorRay rayOf(const Raster& raster, const dvec2& cursor) {
     return {raster.start.at(cursor.x, cursor.y), glm::normalize(raster.direction.at(cursor.x, cursor.y))};
-}
-
-// Rodrigues, about a unit axis.
-dmat3 rotation(const dvec3& axis, double angle) {
-    double c = std::cos(angle), s = std::sin(angle);
-    dmat3 cross(0.0, axis.z, -axis.y, -axis.z, 0.0, axis.x, axis.y, -axis.x, 0.0);
-    return c * dmat3(1.0) + s * cross + (1.0 - c) * glm::outerProduct(axis, axis);
 }
 
 /// The shortest one that takes a to b, both unit.
@@ -26,7 +18,7 @@ dmat3 rotationBetween(const dvec3& a, const dvec3& b) {
     dvec3 across = glm::cross(a, b);
     double sine = glm::length(across);
     if (sine < 1e-15) return dmat3(1.0);
-    return rotation(across / sine, std::atan2(sine, glm::dot(a, b)));
+    return rotationAbout(across / sine, std::atan2(sine, glm::dot(a, b)));
 }
 
 double shorterSide(const Film& film) {
@@ -34,6 +26,13 @@ double shorterSide(const Film& film) {
 }
 
 }  // namespace
+
+// Rodrigues.
+dmat3 rotationAbout(const dvec3& axis, double angle) {
+    double c = std::cos(angle), s = std::sin(angle);
+    dmat3 cross(0.0, axis.z, -axis.y, -axis.z, 0.0, axis.x, axis.y, -axis.x, 0.0);
+    return c * dmat3(1.0) + s * cross + (1.0 - c) * glm::outerProduct(axis, axis);
+}
 
 Pose Pose::of(const Camera& camera) {
     dmat4 m = glm::inverse(camera.camera_from_world);
@@ -88,30 +87,6 @@ void CameraControl::setCamera(const Camera& camera) {
 
 void CameraControl::reset() {
     setCamera(home_);
-}
-
-void CameraControl::axisView(Side side) {
-    dvec3 outward = globe().origin(), up = globe().north();
-    if (side == Side::Back) outward = -globe().origin();
-    if (side == Side::Right) outward = globe().east();
-    if (side == Side::Left) outward = -globe().east();
-    if (side == Side::North) outward = globe().north(), up = -globe().origin();
-    if (side == Side::South) outward = -globe().north(), up = globe().origin();
-    if (side == Side::Corner) outward = glm::normalize(globe().origin() + globe().east() + globe().north());
-    double tangent = std::tan(0.5 * glm::radians(camera_.fov_degrees));
-    double distance = 3.0 * globe().radius();
-    if (camera_.projection == Projection::Perspective)
-        distance = globe().radius() / std::sin(std::atan(kFill * tangent));
-    Pose old = Pose::of(home_), pose;
-    dvec3 ahead = -outward;
-    up = glm::normalize(up - glm::dot(up, ahead) * ahead);
-    pose.eye = globe().centre() + distance * outward;
-    double across = glm::length(old.right), upward = glm::length(old.up);
-    if (camera_.projection == Projection::Orthographic) across = upward = globe().radius() / kFill;
-    pose.right = across * old.handedness() * glm::cross(up, ahead);
-    pose.up = upward * up;
-    pose.ahead = glm::length(old.ahead) * ahead;
-    place(pose);
 }
 
 void CameraControl::place(const Pose& pose) {
@@ -181,8 +156,8 @@ void CameraControl::lookTo(const dvec2& cursor) {
     const double hand = pose.handedness();
     const double height = std::asin(std::clamp(glm::dot(glm::normalize(pose.ahead), vertical), -1.0, 1.0));
     const double wanted = std::clamp(height - turned.y, -0.49 * kPi, std::max(height, 0.49 * kPi));
-    pose.turn(rotation(glm::normalize(pose.right), -hand * (wanted - height)), pose.eye);
-    pose.turn(rotation(vertical, -hand * turned.x), pose.eye);
+    pose.turn(rotationAbout(glm::normalize(pose.right), -hand * (wanted - height)), pose.eye);
+    pose.turn(rotationAbout(vertical, -hand * turned.x), pose.eye);
     place(pose);
 }
 
@@ -198,7 +173,7 @@ dmat3 CameraControl::levelling(const Pose& pose, const dvec3& axis) const {
     if (reach < 1e-9) return dmat3(1.0);
     double middle = std::atan2(c, b), half = std::acos(std::clamp((target - a) / reach, -1.0, 1.0));
     double first = std::remainder(middle + half, 2.0 * kPi), second = std::remainder(middle - half, 2.0 * kPi);
-    return rotation(axis, std::abs(first) < std::abs(second) ? first : second);
+    return rotationAbout(axis, std::abs(first) < std::abs(second) ? first : second);
 }
 
 void CameraControl::orbitTo(const dvec2& cursor) {
@@ -208,8 +183,8 @@ void CameraControl::orbitTo(const dvec2& cursor) {
     if (!on_globe_) {
         dvec2 angle = (cursor - grabbed_cursor_) * (kPi / shorterSide(film_));
         double hand = pose.handedness();
-        pose.turn(rotation(globe().north(), -hand * angle.x), centre);
-        pose.turn(rotation(glm::normalize(pose.right), -hand * angle.y), centre);
+        pose.turn(rotationAbout(globe().north(), -hand * angle.x), centre);
+        pose.turn(rotationAbout(glm::normalize(pose.right), -hand * angle.y), centre);
         return place(pose);
     }
     const double radius = glm::length(grabbed_point_ - centre);
@@ -249,8 +224,8 @@ void CameraControl::tiltTo(const dvec2& cursor) {
     // 0 looks straight down; upward drags lower the eye towards the horizon.
     double slant = std::acos(std::clamp(-glm::dot(ahead, vertical), -1.0, 1.0));
     double wanted = std::clamp(slant - angle.y, 0.0, std::max(slant, 0.52 * kPi));
-    pose.turn(rotation(glm::normalize(pose.right), -hand * (wanted - slant)), about);
-    pose.turn(rotation(vertical, -hand * angle.x), about);
+    pose.turn(rotationAbout(glm::normalize(pose.right), -hand * (wanted - slant)), about);
+    pose.turn(rotationAbout(vertical, -hand * angle.x), about);
     moveTo(pose, pose.eye);
 }
 

@@ -30,6 +30,9 @@ struct Hit {
     std::size_t shape;
 };
 
+/// About a unit axis, right-handed.
+dmat3 rotationAbout(const dvec3& axis, double angle);
+
 /// From where axisView() looks: latitude 0 and longitude 0, 180, 90, -90; the poles; the corner between 0, 90 and the
 /// north pole.
 enum class Side { Front, Back, Right, Left, North, South, Corner };
@@ -61,6 +64,16 @@ class CameraControl {
     void reset();
     /// The whole globe from a side, north up.
     void axisView(Side side);
+    /// The whole globe from where the eye is, north up.
+    void frame();
+    /// North up; near the ground level, looking north.
+    void northUp();
+    /// Over the ground, as the window shows it: right, up. A step is a tenth of a radian or of the eye's height.
+    void moveOver(const dvec2& steps);
+    /// Straight down on a place of the target, north up; a round one. Degrees; above the ground, in world units.
+    Pose poseAbove(double latitude, double longitude, double altitude) const;
+    const Pose& pose() const { return pose_; }
+    void setPose(const Pose& pose);
 
     /// Starts a drag; `hit` is what is under the cursor, if anything, and becomes the target.
     void grab(const dvec2& cursor, const std::optional<Hit>& hit);
@@ -79,6 +92,9 @@ class CameraControl {
     void fly(const dvec3& along, double seconds);
 
   private:
+    Pose facing(const dvec3& eye, const dvec3& ahead, const dvec3& upward) const;
+    void showWhole(const dvec3& outward, const dvec3& upward);
+    dvec3 northAt(const dvec3& outward) const;
     dvec3 pivot(const dvec2& cursor, const std::optional<dvec3>& hit) const;
     std::optional<dvec3> onSphere(const CursorRay& ray, double radius) const;
     dmat3 levelling(const Pose& pose, const dvec3& axis) const;

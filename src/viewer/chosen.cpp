@@ -7,8 +7,15 @@
 #include <filesystem>
 
 #include "viewer/app.h"
+#include "viewer/displayworld.h"
 
 namespace dsphere::viewer {
+
+namespace {
+
+constexpr double kLongSample = 0.5;  // seconds after which a progress is shown
+
+}  // namespace
 
 State App::state() const {
     State state = chosen_;
@@ -41,21 +48,55 @@ std::string App::hoverText() {
     std::optional<Pick> pick = stage_->pick(place);
     if (!pick) return {};
     const Document& document = stage_->document();
-    const Globe& globe = (*document.bodies)[std::size_t(pick->shape)];
+    const std::size_t shape = std::size_t(pick->shape);
+    const Globe& globe = (*document.bodies)[shape];
     std::string text;
-    if (document.scene.shapes.size() > 1) text = shapeName(document.scene, std::size_t(pick->shape)) + "   ";
+    if (document.scene.shapes.size() > 1) text = shapeName(document.scene, shape) + "   ";
     if (globe.round()) {
         const Place at = globe.placeOf(pick->point);
         text += fmt::format("{:.4f}° {}  {:.4f}° {}   ", std::abs(at.latitude), at.latitude < 0.0 ? "S" : "N",
                             std::abs(at.longitude), at.longitude < 0.0 ? "W" : "E");
-        if (at.stored) text += fmt::format("height {:.6g}   ", *at.stored);
+        const HeightUnit unit = heightUnitOf(document, shape);
+        if (at.stored)
+            text += fmt::format("height {:.6g}{}   ", unit.of(*at.stored),
+                                unit.name.empty() ? " map units" : " " + unit.name);
     }
-    return text + fmt::format("distance {:.6g}", pick->distance);
+    return text + "distance " + lengthUnitOf(document, globe, shape).text(pick->distance);
+}
+
+void App::fillFigures(Figures& figures) const {
+    const Document& document = stage_->document();
+    const std::size_t target = control_->target();
+    figures.target_samples = targetSamples();
+    figures.moving = schedule_.draft();
+    figures.gauges = gaugesOf(*control_, document, area()[0], area()[1]);
+    figures.range = shown_range_;
+    figures.height_unit = heightUnitOf(document, target).name;
+    figures.ramp.reset();
+    const auto* ramp = textureAs<HeightRamp>(document.scene.shapes[target].material);
+    const Relief& relief = document.maps.reliefs[target];
+    if (ramp && control_->globe().solid() && relief.h_scale != 0.0) {
+        const HeightUnit unit = heightUnitOf(document, target);
+        const auto heightOf = [&](double h) { return unit.of((h - relief.h_offset) / relief.h_scale); };
+        figures.ramp = {ramp->ramp, unit.name, heightOf(0.0), heightOf(1.0)};
+    }
+    figures.sample_share = -1.0;
+    if (!begun_) return;
+    const bool first = !schedule_.draft() && stage_->film().samples() == 0;
+    if (first && draft_seconds_ > kLongSample) figures.sample_share = stage_->film().share();
+    figures.samples = schedule_.draft() ? 0 : stage_->film().samples();
+    figures.width = stage_->film().width();
+    figures.height = stage_->film().height();
+    const double seconds = stage_->film().sampleSeconds();
+    figures.rays_per_second = seconds > 0.0 ? double(figures.width) * figures.height / seconds : 0.0;
 }
 
 void App::fillUi() {
     ui_.subject = {state(), nullptr, nullptr};
     ui_.has_picture = presenter_.hasPicture();
+    const bool starting = !stage_ && !loader_.busy() && wanted_path_.empty();
+    if (starting && !ui_.starting) ui_.recent = recent_.list();
+    ui_.starting = starting;
     Figures& figures = ui_.figures;
     figures.u = presenter_.u();
     figures.v = presenter_.v();
@@ -65,23 +106,29 @@ void App::fillUi() {
     figures.frame_seconds = frame_seconds_;
     figures.file = std::filesystem::path(stage_ ? stage_->document().path : loader_.path()).filename().string();
     if (!stage_) return;
-    const Document& document = stage_->document();
-    ui_.subject.original = &document.original;
+    ui_.subject.original = &stage_->document().original;
     ui_.subject.globe = &control_->globe();
-    figures.target_samples = targetSamples();
-    figures.moving = schedule_.draft();
-    if (!begun_) return;
-    figures.samples = schedule_.draft() ? 0 : stage_->film().samples();
-    figures.width = stage_->film().width();
-    figures.height = stage_->film().height();
-    const double seconds = stage_->film().sampleSeconds();
-    figures.rays_per_second = seconds > 0.0 ? double(figures.width) * figures.height / seconds : 0.0;
+    fillFigures(figures);
 }
 
 void App::applyUi() {
     const Command command = std::exchange(ui_.command, Command::None);
     if (stage_ && !(ui_.subject.state == state())) adopt(ui_.subject.state);
     if (command != Command::None) runCommand(command);
+    applyDialogs();
+    fitView();
+}
+
+void App::applyDialogs() {
+    if (const std::string path = std::exchange(ui_.path.chosen, {}); !path.empty()) {
+        ui_.path.open = false;
+        open(path);
+    }
+    if (!std::exchange(ui_.go_to.go, false) || !stage_ || !control_->globe().round()) return;
+    ui_.go_to.open = false;
+    const double unit = lengthUnitOf(stage_->document(), control_->globe(), control_->target()).per_world;
+    flyTo(control_->poseAbove(std::clamp(ui_.go_to.latitude, -90.0, 90.0), ui_.go_to.longitude,
+                              std::max(ui_.go_to.altitude, 0.0) / unit));
 }
 
 void App::noteState(nlohmann::json& line) const {
@@ -96,6 +143,9 @@ void App::noteState(nlohmann::json& line) const {
     const ShapeEdits& edits = now.edits.shapes[now.target];
     const auto* relief = std::get_if<DisplacedSphere>(&stage_->document().original.shapes[now.target].geometry);
     line["altitude"] = control_->altitude();
+    const Gauges gauges = gaugesOf(*control_, stage_->document(), area()[0], area()[1]);
+    line["north"] = {gauges.north.x, gauges.north.y};
+    line["night_light"] = now.edits.night_light;
     line["target_shape"] = now.target;
     line["exaggeration"] = edits.exaggeration;
     line["filter"] = int(edits.filter.value_or(relief ? relief->filter : Filter::Bilinear));
@@ -122,6 +172,8 @@ void App::note(bool shown) {
                            {"window", {window_.width(), window_.height()}},
                            {"picture", pictureSize()},
                            {"has_picture", ui_.has_picture},
+                           {"stand_in", stage_ && stage_->document().stand_in},
+                           {"shadows", !stage_ || !begun_ || stage_->shadows()},
                            {"frame_ms", 1e3 * frame_seconds_},
                            {"draw_ms", 1e3 * draw_seconds_},
                            {"latency_ms", latency < 0.0 ? -1.0 : 1e3 * latency},
@@ -129,6 +181,11 @@ void App::note(bool shown) {
                            {"device_ms", stage_ && begun_ ? 1e3 * stage_->film().sampleSeconds() : 0.0},
                            {"panel", ui_.panel_open},
                            {"keys", ui_.keys_open},
+                           {"docked", ui_.docked},
+                           {"starting", ui_.starting},
+                           {"path_box", ui_.path.open},
+                           {"go_to", ui_.go_to.open},
+                           {"flying", flight_.has_value()},
                            {"closing", ui_.closing},
                            {"hover", figures.hover},
                            {"message", ui_.message.text},

@@ -17,6 +17,8 @@ void App::escape() {
         ui_.let_go = true;
     else if (ui_.closing)
         ui_.closing = false;
+    else if (ui_.path.open || ui_.go_to.open)
+        ui_.path.open = ui_.go_to.open = false;
     else if (ui_.keys_open)
         ui_.keys_open = false;
     else if (ui_.message.stays() && !ui_.message.text.empty())
@@ -55,6 +57,9 @@ bool App::runForWindow(Command command) {
         case Command::Keys:
             ui_.keys_open = !ui_.keys_open;
             return true;
+        case Command::OpenFile:
+            ui_.path.open = !ui_.path.open && !ui_.starting;
+            return true;
         case Command::FullScreen:
             window_.switchFullScreen();
             return true;
@@ -90,8 +95,8 @@ bool App::runForFiles(Command command) {
         case Command::Screenshot:
             screenshot_wanted_ = true;
             // A full picture is written at once, a growing one at its next sample.
-            if (begun_ && !schedule_.draft() && schedule_.current() && stage_->film().between() &&
-                stage_->film().samples() > 0)
+            if (begun_ && !schedule_.draft() && schedule_.current() && !stage_->document().stand_in &&
+                stage_->film().between() && stage_->film().samples() > 0)
                 takeScreenshot();
             return true;
         default:
@@ -99,22 +104,63 @@ bool App::runForFiles(Command command) {
     }
 }
 
+// False: another kind of command.
+bool App::runForCamera(Command command) {
+    const int sides = int(Command::Corner) - int(Command::Front) + 1, side = int(command) - int(Command::Front);
+    const dvec2 middle = 0.5 * dvec2(area()[0], area()[1]);
+    switch (command) {
+        case Command::ResetView:
+            control_->reset();
+            break;
+        case Command::NorthUp:
+            control_->northUp();
+            break;
+        case Command::Frame:
+            control_->frame();
+            break;
+        case Command::MoveLeft:
+        case Command::MoveRight:
+            control_->moveOver({command == Command::MoveRight ? 1.0 : -1.0, 0.0});
+            break;
+        case Command::MoveUp:
+        case Command::MoveDown:
+            control_->moveOver({0.0, command == Command::MoveUp ? 1.0 : -1.0});
+            break;
+        case Command::ZoomIn:
+        case Command::ZoomOut:
+            zoomAt(middle, command == Command::ZoomIn ? 1.0 : -1.0);
+            break;
+        default:
+            if (side < 0 || side >= sides) return false;
+            control_->axisView(Side(side));
+    }
+    cameraMoved(repeats(command));
+    return true;
+}
+
+// Typed in degrees, and as high as the gauges have it.
+void App::openGoTo() {
+    const Globe& globe = control_->globe();
+    const dvec3 eye = control_->pose().eye;
+    if (!globe.round() || eye == globe.centre()) return say("Only spheres have latitudes and longitudes.");
+    const Place place = globe.placeOf(eye);
+    const double unit = lengthUnitOf(stage_->document(), globe, control_->target()).per_world;
+    ui_.go_to = {true, false, place.latitude, place.longitude, unit * globe.altitude(eye)};
+}
+
 void App::runForView(Command command) {
+    if (runForCamera(command)) return;
     State wanted = state();
     const auto next = [](int value, int by, int count) { return (value + by + count) % count; };
-    const int sides = int(Command::Corner) - int(Command::Front) + 1, side = int(command) - int(Command::Front);
-    if (side >= 0 && side < sides) {
-        control_->axisView(Side(side));
-        return cameraMoved(false);
-    }
     switch (command) {
         case Command::Undo:
             return undo(-1);
         case Command::Redo:
             return undo(1);
-        case Command::ResetView:
-            control_->reset();
-            return cameraMoved(false);
+        case Command::GoTo:
+            if (!ui_.go_to.open) return openGoTo();
+            ui_.go_to.open = false;
+            return;
         case Command::ResetAll:
             wanted.view = ui_.untouched.view;
             wanted.tone = ui_.untouched.tone;

@@ -2,7 +2,6 @@
 
 #include "render/planes.h"
 #include "shaders/display.spv.h"
-#include "shaders/displaylayout.h"
 
 #include <array>
 #include <bit>
@@ -10,57 +9,83 @@
 
 namespace dsphere::viewer {
 
-const char* const kShowNames[kShowCount] = {"Colour", "Steps (heat map)", "Distance t", "Normal",
-                                            "u, v",   "Albedo",           "Residual"};
+const char* const kShowNames[kShowCount] = {"Picture", "Height contours", "Slope",  "Graticule",    "Distance",
+                                            "Normals", "Map u and v",     "Albedo", "Search steps", "Residual"};
 
 namespace {
 
-constexpr int kFirstPlane[kShowCount] = {PLANE_R, PLANE_STEPS,    PLANE_T,       PLANE_NX,
-                                         PLANE_U, PLANE_ALBEDO_R, PLANE_RESIDUAL};
-constexpr int kPlaneCount[kShowCount] = {3, 1, 1, 3, 2, 3, 1};
+/// The planes that a value is made of.
+struct ShownPlanes {
+    int first, count;
+    bool places = false, normals = false;
+};
+
+constexpr ShownPlanes kShown[kShowCount] = {
+    {PLANE_R, 3},  {PLANE_NX, 3, true}, {PLANE_NX, 3, true}, {PLANE_R, 3, true}, {PLANE_T, 1},
+    {PLANE_NX, 3}, {PLANE_U, 2},        {PLANE_ALBEDO_R, 3}, {PLANE_STEPS, 1},   {PLANE_RESIDUAL, 1}};
 constexpr float kLeastResidual = 1e-9f, kGreatestResidual = 1e-5f;
+
+std::uint32_t planesFrom(int first, int count) {
+    return (planeBit(first + count) - 1u) & ~(planeBit(first) - 1u);
+}
 
 std::uint32_t layerOf(std::uint32_t mask, int plane) {
     return std::uint32_t(std::popcount(mask & (planeBit(plane) - 1u)));
 }
 
-layout::DisplayParams paramsOf(const LiveFilm& film, Show show, const ToneSettings& tone) {
+layout::DisplayParams paramsOf(const LiveFilm& film, const DisplaySettings& settings, int lights) {
     const std::uint32_t mask = film.film().mask();
     layout::DisplayParams params = {};
     params.width = film.width();
     params.height = film.height();
-    params.layer = layerOf(mask, kFirstPlane[int(show)]);
+    params.layer = layerOf(mask, kShown[int(settings.show)].first);
     params.id_layer = layerOf(mask, PLANE_ID);
-    params.gain = std::exp2(tone.exposure) / float(film.samples());
-    params.high = tone.most_steps;
-    if (show == Show::Residual) {
-        params.low = std::log2(kLeastResidual);
-        params.high = std::log2(kGreatestResidual);
-    }
+    params.place_layer = layerOf(mask, PLANE_PX);
+    params.normal_layer = layerOf(mask, PLANE_NX);
+    params.gain = std::exp2(settings.tone.exposure) / float(film.samples());
+    params.light_count = settings.shadows ? 0 : std::min(lights, DISPLAY_LIGHTS);
+    const auto setRange = [&](double low, double high) { params.low = float(low), params.high = float(high); };
+    const ShownRange& range = settings.range;
+    if (settings.show == Show::Steps) setRange(0.0, double(settings.tone.most_steps));
+    if (settings.show == Show::Slope) setRange(0.0, double(settings.tone.most_slope));
+    if (settings.show == Show::Distance) setRange(range.near, range.far);
+    if (settings.show == Show::Heights) setRange(range.least_height, range.greatest_height);
+    if (settings.show == Show::Residual) setRange(std::log2(kLeastResidual), std::log2(kGreatestResidual));
+    params.spacing = float(settings.show == Show::Heights ? range.contour_spacing : range.graticule_spacing);
     return params;
 }
 
 }  // namespace
 
-std::uint32_t planesOf(Show show) {
-    std::uint32_t first = planeBit(kFirstPlane[int(show)]), mask = 0;
-    for (int i = 0; i < kPlaneCount[int(show)]; ++i) mask |= first << i;
-    return show == Show::Colour ? mask : mask | planeBit(PLANE_ID);
+std::uint32_t planesOf(Show show, bool shadows) {
+    const ShownPlanes& shown = kShown[int(show)];
+    const bool faded = !shadows && shown.first == PLANE_R;
+    std::uint32_t mask = planesFrom(shown.first, shown.count);
+    if (show != Show::Colour || faded) mask |= planeBit(PLANE_ID);
+    if (shown.places || faded) mask |= planesFrom(PLANE_PX, 3);
+    if (faded) mask |= planesFrom(PLANE_NX, 3);
+    return mask;
 }
 
-Display::Display(gpu::Device& device) : device_(device), batch_(device, "display") {
-    choose(Show::Colour);
+Display::Display(gpu::Device& device)
+    : device_(device),
+      batch_(device, "display"),
+      world_(device, gpu::Buffer::Usage::Storage, gpu::Buffer::Place::Device, sizeof(layout::DisplayWorld),
+             "displayed world") {
+    choose(SHOW_COLOUR);
 }
 
-void Display::choose(Show show) {
-    if (pipeline_ && show == show_) return;
-    const std::array specialization = {std::uint32_t(show)};
-    pipeline_.emplace(device_, kSpirv_display, std::array{gpu::Binding::StorageImage, gpu::Binding::StorageBuffer},
-                      specialization, sizeof(layout::DisplayParams), "display");
-    show_ = show;
+void Display::choose(std::uint32_t shown) {
+    if (pipeline_ && shown == shown_) return;
+    const std::array specialization = {shown};
+    using gpu::Binding;
+    pipeline_.emplace(device_, kSpirv_display,
+                      std::array{Binding::StorageImage, Binding::StorageBuffer, Binding::StorageBuffer}, specialization,
+                      sizeof(layout::DisplayParams), "display");
+    shown_ = shown;
 }
 
-void Display::convert(const LiveFilm& film, Show show, const ToneSettings& tone, double near, double far) {
+void Display::bind(const LiveFilm& film) {
     const gpu::StorageImage& image = film.film().image();
     const std::uint64_t bytes = 4 * std::uint64_t(image.width()) * image.height();
     if (!pixels_ || pixels_->size() < bytes) {
@@ -68,18 +93,20 @@ void Display::convert(const LiveFilm& film, Show show, const ToneSettings& tone,
         pixels_.emplace(device_, gpu::Buffer::Usage::Storage, gpu::Buffer::Place::Device, bytes, "displayed pixels");
         film_ = nullptr;
     }
-    choose(show);
-    if (film_ != &film) {
-        std::vector<gpu::Resource> resources = {&image, &*pixels_};
-        set_.emplace(device_, *pipeline_, resources, "display");
-        film_ = &film;
-    }
-    layout::DisplayParams params = paramsOf(film, show, tone);
-    if (show == Show::Distance) {
-        params.low = float(near);
-        params.high = float(far);
-    }
+    if (film_ == &film) return;
+    const std::vector<gpu::Resource> resources = {&image, &*pixels_, &world_};
+    set_.emplace(device_, *pipeline_, resources, "display");
+    film_ = &film;
+}
+
+void Display::convert(const LiveFilm& film, const DisplaySettings& settings, const layout::DisplayWorld& world,
+                      int lights) {
+    const bool faded = settings.show == Show::Colour && !settings.shadows;
+    choose(faded ? SHOW_FADED : std::uint32_t(settings.show));
+    bind(film);
+    const layout::DisplayParams params = paramsOf(film, settings, lights);
     auto groups = [](int size) { return std::uint32_t((size + DISPLAY_GROUP - 1) / DISPLAY_GROUP); };
+    batch_.write(world_, &world, sizeof(world));
     batch_.bind(*pipeline_, *set_);
     batch_.push(params);
     batch_.dispatch(groups(params.width), groups(params.height), 1);

@@ -3,30 +3,41 @@
 #include "gpu/commands.h"
 #include "gpu/pipeline.h"
 #include "render/live.h"
+#include "shaders/displaylayout.h"
 #include "viewer/show.h"
 
 #include <optional>
 
 namespace dsphere::viewer {
 
+/// How films become what the window shows.
+struct DisplaySettings {
+    Show show = Show::Colour;
+    bool shadows = true;  ///< false: the film has none, and its light fades beyond the horizon instead
+    ToneSettings tone;
+    ShownRange range;
+};
+
 /// Turns films into the codes that the window shows.
 class Display {
   public:
     explicit Display(gpu::Device& device);
 
-    /// The film's complete samples, between() two; `near` and `far` are what Show::Distance ranges over, world units.
-    void convert(const LiveFilm& film, Show show, const ToneSettings& tone, double near, double far);
+    /// The film's complete samples, between() two. `world` is of the document that the film shows, with so many lights.
+    void convert(const LiveFilm& film, const DisplaySettings& settings, const layout::DisplayWorld& world, int lights);
     /// The film that was converted last is going.
     void forget() { film_ = nullptr; }
     const gpu::Buffer& pixels() const { return *pixels_; }
 
   private:
-    void choose(Show show);
+    void choose(std::uint32_t shown);
+    void bind(const LiveFilm& film);
 
     gpu::Device& device_;
-    std::optional<gpu::ComputePipeline> pipeline_;  ///< for show_
-    Show show_ = Show::Colour;
+    std::optional<gpu::ComputePipeline> pipeline_;  ///< for shown_
+    std::uint32_t shown_ = SHOW_COLOUR;             ///< a SHOW_
     gpu::Batch batch_;
+    gpu::Buffer world_;
     std::optional<gpu::Buffer> pixels_;
     std::optional<gpu::BindingSet> set_;
     const LiveFilm* film_ = nullptr;  ///< that set_ binds

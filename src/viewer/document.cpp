@@ -1,5 +1,7 @@
 #include "viewer/document.h"
 
+#include "viewer/standin.h"
+
 namespace dsphere::viewer {
 
 void Document::locate() {
@@ -22,14 +24,15 @@ std::vector<std::filesystem::path> Document::files() const {
 }
 
 std::unique_ptr<Document> makeDocument(const std::string& path, const Scene& original, const Scene& scene,
-                                       Levels levels) {
+                                       Levels levels, bool quick) {
     auto made = std::make_unique<Document>();
     made->path = path;
     made->original = original;
     made->scene = scene;
     made->levels = levels;
-    made->maps = loadSceneMaps(made->scene);
-    made->packed = packScene(made->scene, made->maps, levels);
+    if (quick && traitsOf(scene).needsPaths()) made->stand_in = standIn(scene);
+    made->maps = loadSceneMaps(made->drawn());
+    made->packed = packScene(made->drawn(), made->maps, levels);
     made->locate();
     return made;
 }

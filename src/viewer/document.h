@@ -22,21 +22,26 @@ struct Document {
     std::string path;
     Scene original;  ///< as the file says it
     Scene scene;     ///< as edited; its camera and film are the window's
+    /// Drawn while the shaders of paths are being made, which take seconds: see standIn(). Edits wait meanwhile.
+    std::optional<Scene> stand_in;
     Levels levels = Levels::Finest;
-    SceneMaps maps;
+    SceneMaps maps;  ///< of the scene that is drawn, as all that follows
     PackedScene packed;
     std::shared_ptr<const Bodies>
         bodies;  ///< made by locate(), of `scene`: used while retune() changes the maps' reliefs
 
+    Scene& drawn() { return stand_in ? *stand_in : scene; }
+    const Scene& drawn() const { return stand_in ? *stand_in : scene; }
     void locate();
     /// The files that it came from.
     std::vector<std::filesystem::path> files() const;
 };
 
 /// Reads the maps of a file's scene and packs them: everything but the device. `original` is the scene as the file says
-/// it, `scene` as it is shown. Throws Error. Takes seconds for large maps.
+/// it, `scene` as it is shown; `quick`: by its stand-in, if its shaders take long. Throws Error. Takes seconds for
+/// large maps.
 std::unique_ptr<Document> makeDocument(const std::string& path, const Scene& original, const Scene& scene,
-                                       Levels levels);
+                                       Levels levels, bool quick = false);
 
 /// A new packing of the document's maps under the reliefs of another scene, which differs in Rework::Relief at most.
 /// While it is made the document's maps and packing may not be used. Throws Error (InvalidInput), and leaves the

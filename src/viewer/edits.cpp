@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "shaders/layout.h"
+
 namespace dsphere::viewer {
 
 namespace {
@@ -51,7 +53,7 @@ Rework reworkOf(const Geometry& shown, const Geometry& wanted) {
 }  // namespace
 
 Edits noEdits(const Scene& scene, double exaggeration) {
-    Edits edits{std::vector<ShapeEdits>(scene.shapes.size()), {}, 1.0};
+    Edits edits{std::vector<ShapeEdits>(scene.shapes.size()), {}};
     for (std::size_t i = 0; i < scene.shapes.size(); ++i)
         if (std::holds_alternative<DisplacedSphere>(scene.shapes[i].geometry))
             edits.shapes[i].exaggeration = exaggeration;
@@ -64,6 +66,8 @@ Scene edited(const Scene& original, const Edits& edits) {
     if (DistantLight* sun = mutableSun(scene)) {
         if (edits.sun_direction) sun->direction = *edits.sun_direction;
         sun->radiance *= edits.sun_brightness;
+        if (edits.night_light > 0.0 && scene.lights.size() < MAX_LIGHTS)
+            scene.lights.emplace_back(DistantLight{-sun->direction, edits.night_light * sun->radiance});
     }
     return scene;
 }
@@ -91,16 +95,18 @@ Edits refit(const Edits& edits, const Scene& scene, double exaggeration, std::ve
             now.texture.reset();
         }
     }
-    if ((edits.sun_direction || edits.sun_brightness != 1.0) && !sunOf(scene)) {
+    if ((edits.sun_direction || edits.sun_brightness != 1.0 || edits.night_light > 0.0) && !sunOf(scene)) {
         lost.push_back("there is no sun now");
         fitted.sun_direction.reset();
         fitted.sun_brightness = 1.0;
+        fitted.night_light = 0.0;
     }
     return fitted;
 }
 
 Rework reworkBetween(const Scene& shown, const Scene& wanted) {
     Rework rework = shown.lights == wanted.lights ? Rework::Nothing : Rework::Look;
+    if (shown.lights.size() != wanted.lights.size()) rework = Rework::Reading;
     for (std::size_t i = 0; i < shown.shapes.size(); ++i) {
         const Shape &before = shown.shapes[i], &after = wanted.shapes[i];
         rework = std::max({rework, reworkOf(before.geometry, after.geometry),

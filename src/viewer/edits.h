@@ -22,6 +22,7 @@ struct Edits {
     std::vector<ShapeEdits> shapes;      ///< one a shape
     std::optional<dvec3> sun_direction;  ///< of the first distant light: world, unit
     double sun_brightness = 1.0;         ///< factor of its radiance
+    double night_light = 0.0;            ///< of a light opposite to it, as a share of it; 0: there is none
 
     bool operator==(const Edits&) const = default;
 };

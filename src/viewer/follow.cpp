@@ -20,7 +20,8 @@ void App::follow() {
     Scene wanted;
     const Levels levels =
         chosen_.view.method.detail > 0.0f ? Levels::All : (stage_ ? stage_->document().levels : Levels::Finest);
-    if (stage_) {
+    const bool standing_in = stage_ && stage_->document().stand_in;
+    if (stage_ && !standing_in) {
         wanted = edited(stage_->document().original, chosen_.edits);
         rework = reworkBetween(stage_->document().scene, wanted);
     }
@@ -34,6 +35,9 @@ void App::follow() {
         const std::string path = std::exchange(wanted_path_, {});
         const bool same = stage_ && path == stage_->document().path;
         loader_.read(path, same ? std::optional(chosen_.edits) : std::nullopt, options_.exaggeration, levels);
+    } else if (standing_in && published_ && !incomplete_) {
+        tried_edits_ = chosen_.edits;
+        loader_.complete(stage_->document(), chosen_.edits, levels);
     } else if (rework == Rework::Reading || (stage_ && levels != stage_->document().levels)) {
         tried_edits_ = chosen_.edits;
         loader_.remake(stage_->document(), chosen_.edits, levels);
@@ -60,7 +64,11 @@ void App::finishWork() {
             cameraMoved(true);
         }
     } catch (const Error& error) {
-        if (!stage_) throw;
+        const bool standing_in = stage_ && stage_->document().stand_in;
+        const bool named = !options_.path.empty() && (!stage_ || stage_->document().path == options_.path);
+        if (named && (!stage_ || standing_in)) throw;
+        if (!stage_) return say(error.what(), Message::Kind::Error);
+        incomplete_ = standing_in;
         if (relief)
             tellRefused(error);
         else
@@ -94,6 +102,7 @@ void App::tellRefused(const Error& error) {
 void App::show(Loaded loaded) {
     Document& document = *loaded.document;
     const bool same = stage_ && stage_->document().path == document.path;
+    const bool completed = same && stage_->document().stand_in;
     const bool own_camera = !same || !(stage_->document().original.camera == document.original.camera);
     // Edits made while it was read stay too, unless those before them had to go.
     if (!same || !loaded.lost.empty())
@@ -106,6 +115,7 @@ void App::show(Loaded loaded) {
     presenter_.finish();
     display_.forget();
     stage_ = std::move(stage);
+    incomplete_ = false;
     shown_edits_ = loaded.edits;
     const Document& now = stage_->document();
     Film film = now.scene.film;
@@ -117,13 +127,20 @@ void App::show(Loaded loaded) {
     else
         control_->setBodies(now.bodies);
     window_.setTitle(std::filesystem::path(now.path).filename().string() + " - dsphere");
-    if (ui_.message.stays()) ui_.message.text.clear();
-    tellNotices(loaded.lost);
-    hand_.drag = Hand::Drag::None;
-    begun_ = false;
-    cameraMoved(false);
+    if (!completed || !loaded.lost.empty()) {
+        if (ui_.message.stays()) ui_.message.text.clear();
+        tellNotices(loaded.lost);
+    }
+    if (!completed) {
+        hand_.drag = Hand::Drag::None;
+        flight_.reset();
+    }
+    begun_ = published_ = false;
+    cameraMoved(now.stand_in.has_value());  // coarse at first
     ui_.untouched.edits = noEdits(now.original, options_.exaggeration);
+    fitted_area_ = area();
     if (same) return;
+    recent_.add(now.path);
     history_.start(state());
     ui_.untouched = state();
 }

@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kDividerReach = 8.0;  // pixels at scale 1
 constexpr double kFaster = 5.0;
+constexpr double kDoubleClick = 0.4, kDoubleClickReach = 6.0;  // seconds; pixels at scale 1
+constexpr double kNearer = 0.35;                               // of the height that a double click flies from
 
 }  // namespace
 
@@ -58,9 +60,14 @@ void App::handle(const Event& event) {
         case Event::Release:
             hand_.tell(event);
             release();
+            // A second click that became a drag is one.
+            if (std::exchange(second_click_, false) && stage_ &&
+                glm::length(event.cursor - hand_.from) < kDoubleClickReach * scale_)
+                flyToCursor(event.cursor);
             break;
         case Event::LoseFocus:
             hand_.letGo();
+            second_click_ = false;
             release();
             break;
         case Event::Move:
@@ -81,7 +88,7 @@ void App::handle(const Event& event) {
             // WantTextInput stays for one frame more than the field has the keys.
             const bool typed = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
             if (typed || event.kind == Event::KeyDown) hand_.tell(event);
-            if (event.kind == Event::KeyDown && !typed && !event.repeated) key(event);
+            if (event.kind == Event::KeyDown && !typed && (!event.repeated || repeats(commandOf(event)))) key(event);
             break;
         }
         case Event::KeyUp:
@@ -100,8 +107,10 @@ void App::handle(const Event& event) {
 void App::press(const Event& event) {
     using Drag = Hand::Drag;
     if (hand_.drag != Drag::None) return;
+    flight_.reset();
     hand_.from = event.cursor;
     const bool left = event.code == GLFW_MOUSE_BUTTON_LEFT;
+    second_click_ = isDoubleClick(event);
     if (left && onDivider(event.cursor)) {
         hand_.drag = Drag::Divider;
         return;
@@ -167,13 +176,44 @@ void App::turnSun(const dvec2& cursor) {
     chosen_.edits.sun_direction = directionOf(globe, angles);
 }
 
-void App::scroll(const Event& event) {
-    const std::optional<Hit> hit = hitUnder(event.cursor);
-    control_->zoom(event.cursor, hit ? std::optional(hit->point) : std::nullopt, event.steps);
+bool App::isDoubleClick(const Event& event) {
+    if (event.code != GLFW_MOUSE_BUTTON_LEFT || event.shift || event.control || !hand_.keys.empty()) return false;
+    const bool twice = window_.now() - last_click_ < kDoubleClick &&
+                       glm::length(event.cursor - last_click_at_) < kDoubleClickReach * scale_;
+    last_click_ = twice ? -1e9 : window_.now();
+    last_click_at_ = event.cursor;
+    return twice;
+}
+
+void App::flyTo(const Pose& pose) {
+    flight_.emplace(control_->pose(), pose, control_->globe().centre(), window_.now());
+}
+
+void App::flyToCursor(const dvec2& cursor) {
+    const std::optional<Hit> hit = hitUnder(cursor);
+    if (!hit) return;
+    control_->setTarget(hit->shape);
+    const Globe& globe = control_->globe();
+    const dvec3 eye = control_->pose().eye;
+    if (!globe.round() || eye == globe.centre() || control_->camera().projection == Projection::Orthographic)
+        return zoomAt(cursor, 6.0);
+    const Place place = globe.placeOf(hit->point);
+    flyTo(control_->poseAbove(place.latitude, place.longitude, kNearer * std::abs(globe.altitude(eye))));
+}
+
+void App::zoomAt(const dvec2& cursor, double steps) {
+    const std::optional<Hit> hit = hitUnder(cursor);
+    control_->zoom(cursor, hit ? std::optional(hit->point) : std::nullopt, steps);
     cameraMoved(true);
 }
 
+void App::scroll(const Event& event) {
+    flight_.reset();
+    zoomAt(event.cursor, event.steps);
+}
+
 void App::key(const Event& event) {
+    flight_.reset();
     if (!event.control) hand_.keys.insert(event.code);
     if (const Command command = commandOf(event); command != Command::None) runCommand(command);
 }
@@ -181,13 +221,25 @@ void App::key(const Event& event) {
 void App::resize() {
     presenter_.resize(window_.width(), window_.height());
     frames_due_ = std::max(frames_due_, 3);
-    if (!control_ || !window_.visible()) return;
-    control_->resize(area()[0], area()[1]);
+    fitView();
+}
+
+// To the part of the window that the picture has: less beside a docked panel.
+void App::fitView() {
+    if (!control_ || !window_.visible() || fitted_area_ == area()) return;
+    fitted_area_ = area();
+    control_->resize(fitted_area_[0], fitted_area_[1]);
     cameraMoved(true);
 }
 
 bool App::flyStep(double seconds) {
     if (!stage_) return false;
+    if (flight_) {
+        control_->setPose(flight_->at(last_poll_));
+        if (flight_->over(last_poll_)) flight_.reset();
+        cameraMoved(flight_.has_value());
+        return true;
+    }
     const auto pair = [&](int plus, int minus) {
         return double(hand_.keys.contains(plus)) - double(hand_.keys.contains(minus));
     };

@@ -31,6 +31,12 @@ constexpr struct {
     {"Tab", GLFW_KEY_TAB, 0},
     {"Esc", GLFW_KEY_ESCAPE, 0},
     {"?", GLFW_KEY_SLASH, 0},
+    {"Left", GLFW_KEY_LEFT, 0},
+    {"Right", GLFW_KEY_RIGHT, 0},
+    {"Up", GLFW_KEY_UP, 0},
+    {"Down", GLFW_KEY_DOWN, 0},
+    {"+", GLFW_KEY_EQUAL, GLFW_KEY_KP_ADD},
+    {"-", GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT},
 };
 
 bool take(std::string_view& text, std::string_view prefix) {
@@ -53,10 +59,14 @@ Chord chordOf(std::string_view text) {
     return chord;
 }
 
-// "?" is typed with Shift on many keyboards and without on others.
+// "?" and "+" are typed with Shift on many keyboards and without on others.
+bool isSign(int code) {
+    return code == GLFW_KEY_SLASH || code == GLFW_KEY_EQUAL;
+}
+
 bool matches(const Chord& chord, const Event& key) {
     return key.code != 0 && (key.code == chord.code || key.code == chord.other_code) && key.control == chord.control &&
-           (key.shift == chord.shift || chord.code == GLFW_KEY_SLASH);
+           (key.shift == chord.shift || isSign(chord.code));
 }
 
 }  // namespace
@@ -70,12 +80,21 @@ const std::vector<KeyLine>& keyLines() {
         {"Mouse", "middle drag, Ctrl + drag",
          "turns and tilts about the point under the cursor, from straight down to the horizon"},
         {"Mouse", "wheel, two fingers", "zooms to what is under the cursor, down to the ground, never through it"},
+        {"Mouse", "double click", "flies there: straight down on the place, north up"},
         {"Mouse", "click", "chooses the object that the panel changes and that turns"},
         {"Mouse", "L + drag", "moves the sun"},
         {"Mouse", "pointing", "tells latitude, longitude, height in the map's units and distance, in the bar below"},
         {"Mouse", "dropping a file", "opens a scene or a heightmap; a file that changes on disk is read again"},
         {"Move", "W A S D, Q E",
          "flies ahead, left, back, right, down, up, as fast as the eye is high; Shift: five times faster"},
+        {"Move",
+         "Left, Right, Up, Down",
+         "over the ground to that side",
+         {Command::MoveLeft, Command::MoveRight, Command::MoveUp, Command::MoveDown}},
+        {"Move", "+, -", "nearer, farther", {Command::ZoomIn, Command::ZoomOut}},
+        {"Move", "N", "north up; near the ground level, looking north", {Command::NorthUp}},
+        {"Move", "F", "all of the object, from where the eye is", {Command::Frame}},
+        {"Move", "G", "goes to a latitude, longitude and height that are typed", {Command::GoTo}},
         {"Move", "R, Enter, Home", "the first view", {Command::ResetView}},
         {"Move", "1, Ctrl + 1", "latitude 0 and longitude 0; the far side", {Command::Front, Command::Back}},
         {"Move", "3, Ctrl + 3", "longitude 90; longitude -90", {Command::Right, Command::Left}},
@@ -86,7 +105,7 @@ const std::vector<KeyLine>& keyLines() {
         {"Change", "Ctrl + Shift + Z, Ctrl + Y", "does it again", {Command::Redo}},
         {"Change",
          "V, Shift + V",
-         "the next, the last value in place of colours: steps, distance, normal ...",
+         "the next, the last value in place of the picture: contours, slope, graticule, distance ...",
          {Command::NextValue, Command::PreviousValue}},
         {"Change", "M", "the next marcher: exact, naive ...", {Command::NextMarcher}},
         {"Change",
@@ -96,6 +115,7 @@ const std::vector<KeyLine>& keyLines() {
         {"Keep", "F12", "a screenshot, as `dsphere render` makes it", {Command::Screenshot}},
         {"Keep", "Ctrl + S", "saves the scene with this camera and these settings", {Command::SaveScene}},
         {"Keep", "Ctrl + C", "copies the camera as pbrt text", {Command::CopyCamera}},
+        {"Window", "Ctrl + O", "opens another file, whose path is typed: Tab completes it", {Command::OpenFile}},
         {"Window", "F5", "reads the file again", {Command::Reload}},
         {"Window", "F11", "the full screen, and back", {Command::FullScreen}},
         {"Window", "H, ?, F1", "these keys", {Command::Keys}},

@@ -21,6 +21,16 @@ enum class Command {
     North,
     South,
     Corner,
+    NorthUp,
+    Frame,
+    MoveLeft,  // MoveLeft to ZoomOut: again and again while the key is held
+    MoveRight,
+    MoveUp,
+    MoveDown,
+    ZoomIn,
+    ZoomOut,
+    GoTo,
+    OpenFile,
     Panel,
     Keys,
     NextMarcher,
@@ -53,6 +63,10 @@ const std::vector<KeyLine>& keyLines();
 
 /// What a key that went down asks for.
 Command commandOf(const Event& key);
+/// Whether a held key asks for it again and again.
+inline bool repeats(Command command) {
+    return command >= Command::MoveLeft && command <= Command::ZoomOut;
+}
 
 /// The table as docs/viewer.md has it.
 std::string keysInMarkdown();

@@ -3,6 +3,7 @@
 #include "viewer/background.h"
 #include "viewer/document.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -15,10 +16,13 @@ struct Loaded {
     std::vector<std::string> lost;  ///< edits that no longer fit, in words
 };
 
+/// Makes the pipelines ready that such a scene takes, for the window's device to find; takes seconds.
+using WarmUp = std::function<void(const SceneTraits& traits)>;
+
 /// Reads and packs on another thread, one piece of work at a time.
 class Loader {
   public:
-    explicit Loader(OpenScene open) : open_(std::move(open)) {}
+    Loader(OpenScene open, WarmUp warm_up) : open_(std::move(open)), warm_up_(std::move(warm_up)) {}
 
     bool busy() const { return loading_.busy() || packing_.busy(); }
     /// Whether a document's maps and packing are in use by the work.
@@ -27,11 +31,13 @@ class Loader {
     /// What is being done, in words; empty: nothing.
     std::string doing() const;
 
-    /// Nothing may be under way for the next three. Reads a file; `kept` edits stay on top of it, unset: all
-    /// displacements are multiplied.
+    /// Nothing may be under way for the next four. Reads a file; `kept` edits stay on top of it, unset: all
+    /// displacements are multiplied, and a stand-in will do at first.
     void read(const std::string& path, const std::optional<Edits>& kept, double exaggeration, Levels levels);
     /// Reads again what a document's scene names, after it has become another by edits.
     void remake(const Document& document, const Edits& edits, Levels levels);
+    /// The same for a document that a stand-in is drawn of: without one, once its shaders are ready.
+    void complete(const Document& document, const Edits& edits, Levels levels);
     /// Makes a document's reliefs those of a scene.
     void retune(Document& document, const Scene& scene);
 
@@ -43,6 +49,8 @@ class Loader {
 
   private:
     OpenScene open_;
+    WarmUp warm_up_;
+    bool completing_ = false;
     Background<Loaded> loading_;
     Background<PackedScene> packing_;
     std::string path_;

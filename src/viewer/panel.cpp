@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "viewer/rows.h"
@@ -11,15 +12,6 @@ namespace dsphere::viewer {
 namespace {
 
 constexpr float kLabelShare = 0.36f, kSliderShare = 0.34f;
-
-void showTip(const char* tip) {
-    if (!ImGui::IsItemHovered()) return;
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(22.0f * ImGui::GetFontSize());
-    ImGui::TextUnformatted(tip);
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-}
 
 /// What a row shows where nothing has been changed since the file was opened.
 Subject untouched(const Ui& ui) {
@@ -111,6 +103,7 @@ void drawSections(Ui& ui) {
             open =
                 ImGui::CollapsingHeader(row.section, first ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
             notePlace(ui, row.section);
+            showTip("Click: folds this section, or opens it.");
         }
         if (open) drawRow(ui, row);
     }
@@ -138,6 +131,17 @@ void drawButtons(Ui& ui) {
     commandButton(ui, "Reset all", "All settings as the file was opened; the view stays.", Command::ResetAll);
 }
 
+void drawDockButton(Ui& ui) {
+    const char* name = ui.docked ? "Undock" : "Dock";
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const float wide = ImGui::CalcTextSize(name).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+    if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + wide < right) ImGui::SameLine();
+    if (ImGui::Button(name)) ui.docked = !ui.docked;
+    notePlace(ui, "Dock");
+    showTip(ui.docked ? "Lets the panel float over the picture."
+                      : "Puts the panel beside the picture, at the window's right edge; dragging it there does, too.");
+}
+
 void drawFigures(const Figures& figures) {
     ImGui::Separator();
     ImGui::TextDisabled("%s", figures.device.c_str());
@@ -149,23 +153,62 @@ void drawFigures(const Figures& figures) {
                                   .c_str());
 }
 
+/// Where the panel is, docked or floating.
+ImGuiWindowFlags placePanel(const Ui& ui, const Extent& window) {
+    const float pad = 12.0f * float(window.scale), width = float(window.width);
+    const float bottom = float(window.height - statusHeight(window.scale));
+    if (ui.docked) {
+        const float wide = float(panelWidth(window.scale));
+        ImGui::SetNextWindowPos(ImVec2(width - wide, 0.0f));
+        ImGui::SetNextWindowSize(ImVec2(wide, bottom));
+        ImGui::SetNextWindowCollapsed(false);
+        return ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse;
+    }
+    const float wide = std::min(float(panelWidth(window.scale)), width - 2.0f * pad);
+    ImGui::SetNextWindowPos(ImVec2(width - pad, pad), ImGuiCond_Appearing, ImVec2(1.0f, 0.0f));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(wide, 0.0f), ImVec2(wide, bottom - 2.0f * pad));
+    return ImGuiWindowFlags_AlwaysAutoResize;
+}
+
+// A floating panel that is let go at the window's right edge.
+void dockAtEdge(Ui& ui, const Extent& window) {
+    const ImVec2 low = ImGui::GetWindowPos(), grabbed = ImGui::GetIO().MouseClickedPos[0];
+    const float title = ImGui::GetFrameHeight();
+    const bool moved = ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::IsWindowFocused() &&
+                       ImGui::GetIO().MousePos.y < low.y + title + 4.0f && grabbed.x != ImGui::GetIO().MousePos.x;
+    if (moved && low.x + ImGui::GetWindowWidth() > float(window.width) + 20.0f * float(window.scale)) ui.docked = true;
+}
+
 }  // namespace
 
+void showTip(const char* tip) {
+    if (!ImGui::IsItemHovered()) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(22.0f * ImGui::GetFontSize());
+    ImGui::TextUnformatted(tip);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+int panelWidth(double scale) {
+    return int(std::round(380.0 * scale));
+}
+
 void drawPanel(Ui& ui, const Extent& window) {
-    const float pad = 12.0f * float(window.scale), width = float(window.width);
-    const float wide = std::min(380.0f * float(window.scale), width - 2.0f * pad);
-    const float most = float(window.height - statusHeight(window.scale)) - 2.0f * pad;
-    ImGui::SetNextWindowPos(ImVec2(width - pad, pad), ImGuiCond_Appearing, ImVec2(1.0f, 0.0f));
-    ImGui::SetNextWindowSizeConstraints(ImVec2(wide, 0.0f), ImVec2(wide, most));
     const std::string title =
         ui.subject.original ? "Panel: " + shapeName(*ui.subject.original, ui.subject.state.target) : "Panel";
     if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) ui.resetting.clear();
-    if (ImGui::Begin((title + "###panel").c_str(), &ui.panel_open,
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) {
+    const ImGuiWindowFlags placed = placePanel(ui, window);
+    if (ImGui::Begin((title + "###panel").c_str(), &ui.panel_open, placed | ImGuiWindowFlags_NoSavedSettings)) {
         if (ui.subject.original) drawSections(ui);
         drawButtons(ui);
+        drawDockButton(ui);
         drawFigures(ui.figures);
     }
+    const ImVec2 corner = ImGui::GetWindowPos();
+    ui.places.emplace_back("Title", std::array{corner.x, corner.y, corner.x + ImGui::GetWindowWidth(),
+                                               corner.y + ImGui::GetFrameHeight()});
+    if (!ui.docked) dockAtEdge(ui, window);
     ImGui::End();
 }
 

@@ -88,13 +88,14 @@ void addRelief(std::vector<Row>& rows) {
                     NumberRow{0.0, 10.0, "%.2f x", [](const Subject& s) { return s.edits().exaggeration; },
                               [](Subject& s, double x) { s.edits().exaggeration = x; }},
                     hasRelief});
-    rows.push_back({"Relief", "Zero level",
-                    "The height that lies on the sphere itself, as a share of the map's range (midlevel): 0 raises all "
-                    "of the map, 1 lowers it.",
-                    NumberRow{-1.0, 1.0, "%.3f",
-                              [](const Subject& s) { return s.edits().midlevel.value_or(reliefOf(s)->midlevel); },
-                              [](Subject& s, double x) { s.edits().midlevel = x; }},
-                    hasRelief});
+    rows.push_back(
+        {"Relief", "Zero level",
+         "The height that lies on the sphere itself, as a share of the map's range (midlevel): 0 raises all "
+         "of the map, 1 lowers it.",
+         NumberRow{-100.0, 100.0, "%.1f %%",
+                   [](const Subject& s) { return 100.0 * s.edits().midlevel.value_or(reliefOf(s)->midlevel); },
+                   [](Subject& s, double x) { s.edits().midlevel = 0.01 * x; }},
+         hasRelief});
     rows.push_back({"Relief", "Surface",
                     "Bilinear goes through the map's values, with creases between its texels; the B-spline is smooth, "
                     "and a little lower on peaks.",
@@ -122,6 +123,13 @@ void addLight(std::vector<Row>& rows) {
                     NumberRow{0.0, 10.0, "%.2f x", [](const Subject& s) { return s.state.edits.sun_brightness; },
                               [](Subject& s, double x) { s.state.edits.sun_brightness = std::max(x, 0.0); }},
                     hasSun});
+    rows.push_back(
+        {"Light", "Night side",
+         "Light from opposite the sun, as a share of the sun's: shows the relief of the night side. Saved with the "
+         "scene as a second distant light.",
+         NumberRow{0.0, 100.0, "%.0f %%", [](const Subject& s) { return 100.0 * s.state.edits.night_light; },
+                   [](Subject& s, double x) { s.state.edits.night_light = std::clamp(0.01 * x, 0.0, 1.0); }},
+         hasSun});
     rows.push_back({"Light", "Exposure", "Brightens the picture, not the scene: each stop doubles it.",
                     NumberRow{-6.0, 6.0, "%+.2f stops", [](const Subject& s) { return double(s.state.tone.exposure); },
                               [](Subject& s, double x) { s.state.tone.exposure = float(x); }}});
@@ -158,6 +166,10 @@ void addView(std::vector<Row>& rows) {
          NumberRow{5.0, 5000.0, "%.0f steps", [](const Subject& s) { return double(s.state.tone.most_steps); },
                    [](Subject& s, double x) { s.state.tone.most_steps = std::max(float(x), 1.0f); }, true},
          [](const Subject& s) { return s.state.view.show == Show::Steps; }});
+    rows.push_back({"View", "Red at", "The slope that is shown as red.",
+                    NumberRow{1.0, 90.0, "%.0f°", [](const Subject& s) { return double(s.state.tone.most_slope); },
+                              [](Subject& s, double x) { s.state.tone.most_slope = std::max(float(x), 0.1f); }},
+                    [](const Subject& s) { return s.state.view.show == Show::Slope; }});
 }
 
 void addAdvanced(std::vector<Row>& rows) {

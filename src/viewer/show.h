@@ -7,15 +7,15 @@
 namespace dsphere::viewer {
 
 /// What of the first hits the window shows; the order of SHOW_ in displaylayout.h.
-enum class Show { Colour, Steps, Distance, Normal, Uv, Albedo, Residual };
-inline constexpr int kShowCount = 7;
+enum class Show { Colour, Heights, Slope, Graticule, Distance, Normal, Uv, Albedo, Steps, Residual };
+inline constexpr int kShowCount = 10;
 extern const char* const kShowNames[kShowCount];
 
 /// The marchers' names, in the order of Marcher.
 inline constexpr const char* kMarcherNames[] = {"exact", "naive", "naive-shell", "lipschitz"};
 
-/// The film planes that it takes.
-std::uint32_t planesOf(Show show);
+/// The film planes that it takes; `shadows`: of a film that has cast shadows.
+std::uint32_t planesOf(Show show, bool shadows = true);
 
 /// How the picture is made: what a change of makes it anew.
 struct ViewSettings {
@@ -31,8 +31,17 @@ struct ViewSettings {
 struct ToneSettings {
     float exposure = 0.0f;      ///< stops
     float most_steps = 100.0f;  ///< the reddest of the steps
+    float most_slope = 45.0f;   ///< the reddest of the slopes, degrees
 
     bool operator==(const ToneSettings&) const = default;
+};
+
+/// What the scales of colours and the lines range over. Heights are in the map's unit.
+struct ShownRange {
+    double near = 0.0, far = 1.0;  ///< distances, world units
+    double least_height = 0.0, greatest_height = 1.0;
+    double contour_spacing = 1.0;
+    double graticule_spacing = 15.0;  ///< degrees
 };
 
 }  // namespace dsphere::viewer

@@ -3,6 +3,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/error.h"
+#include "gpu/device.h"
+#include "render/marchpipeline.h"
+
 namespace dsphere::viewer {
 
 namespace {
@@ -17,13 +21,14 @@ MarchMethod withoutShadows(MarchMethod method) {
 Stage::Stage(gpu::Device& device, std::unique_ptr<Document> document, const MarchMethod& method)
     : device_(device),
       document_(std::move(document)),
-      renderer_(device, document_->packed, document_->scene, method),
+      renderer_(device, document_->packed, document_->drawn(), method),
       method_(method) {
-    translating_ = makeAhead(device_, document_->packed.traits, withoutShadows(method_), planesOf(Show::Colour));
+    if (document_->stand_in) return;  // the first picture needs all cores
+    translating_ = makeAhead(device_, document_->packed.traits, withoutShadows(method_), planesOf(Show::Colour, false));
 }
 
 void Stage::setCamera(const Camera& camera, int width, int height) {
-    Scene& scene = document_->scene;
+    Scene& scene = document_->drawn();
     scene.camera = camera;
     scene.film.width = width;
     scene.film.height = height;
@@ -47,40 +52,66 @@ void Stage::updateRelief(PackedScene packed, const Scene& scene) {
     document.scene.lights = scene.lights;
     document.locate();
     packCamera(document.packed, document.scene);
-    film_.reset();  // it may hold a pipeline that goes
+    for (auto& film : films_) film.reset();  // they may hold pipelines that go
     renderer_.update(true);
 }
 
-bool Stage::prepareFilm(Show show, int width, int height) {
-    const std::uint32_t mask = planesOf(show);
-    if (film_ && film_->film().mask() == mask && int(film_->film().image().width()) >= width &&
-        int(film_->film().image().height()) >= height)
+bool Stage::makeRoom(std::size_t film, std::uint32_t mask, int width, int height) {
+    std::optional<LiveFilm>& room = films_[film];
+    if (room && room->film().mask() == mask && int(room->film().image().width()) >= width &&
+        int(room->film().image().height()) >= height)
         return false;
-    film_.reset();
-    film_.emplace(device_, renderer_, width, height, mask);
+    room.reset();
+    room.emplace(device_, renderer_, width, height, mask);
     return true;
 }
 
-void Stage::begin(const ViewSettings& view, Sampling sampling, bool shadows) {
+// Pictures without light have no shadows to leave out.
+bool Stage::prepareFilm(Show show, bool shadows, int width, int height) {
+    film_in_use_ = shadows || planesOf(show, false) == planesOf(show) ? 0 : 1;
+    return makeRoom(film_in_use_, planesOf(show, film_in_use_ == 0), width, height);
+}
+
+void Stage::begin(const ViewSettings& view, Sampling sampling) {
     const int width = renderer_.crop().width();
     const int middle = view.split ? std::clamp(int(std::lround(view.divider * width)), 0, width) : 0;
     std::vector<LivePart> parts;
     if (middle > 0) parts.push_back({Marcher::Naive, 0, middle});
     if (middle < width) parts.push_back({view.method, middle, width});
-    for (LivePart& part : parts) part.method.shadows = shadows;
-    film_->begin(parts, sampling, std::uint32_t(document_->scene.sampler.seed));
+    for (LivePart& part : parts) part.method.shadows = shadows();
+    film().begin(parts, sampling, std::uint32_t(document_->scene.sampler.seed));
 }
 
 void Stage::makeDraftsReady(const ViewSettings& view) {
     if (!translating_.valid() || translating_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
     translating_.get();
-    if (view.method == method_ && view.show == Show::Colour) film_->prepare(withoutShadows(method_));
+    if (view.method != method_ || view.show != Show::Colour) return;
+    const gpu::StorageImage& room = films_[0]->film().image();
+    makeRoom(1, planesOf(Show::Colour, false), int(room.width()), int(room.height()));
+    films_[1]->prepare(withoutShadows(method_));
 }
 
 std::optional<Pick> Stage::pick(const dvec2& share) {
     if (!picker_) picker_.emplace(device_, renderer_);
     const Box& crop = renderer_.crop();
     return picker_->at(int(std::floor(share.x * crop.width())), int(std::floor(share.y * crop.height())));
+}
+
+void warmUp(gpu::Device& device, const std::string& selector, const SceneTraits& traits, const MarchMethod& method) {
+    const std::uint32_t mask = planesOf(Show::Colour);
+    std::future<void> made;
+    if (!isNarrow(device)) {
+        made = makeAhead(device, traits, method, mask);
+        if (made.valid()) made.get();
+        return;
+    }
+    try {
+        gpu::Device other({selector, false, nullptr});
+        made = warmAhead(other, traits, method, mask);
+        if (made.valid()) made.get();
+    } catch (const Error&) {
+        // The window's own device will make them, or say why not.
+    }
 }
 
 }  // namespace dsphere::viewer

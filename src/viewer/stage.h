@@ -4,9 +4,11 @@
 #include "viewer/picker.h"
 #include "viewer/show.h"
 
+#include <array>
 #include <future>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace dsphere::viewer {
 
@@ -25,12 +27,14 @@ class Stage {
     /// Takes a new packing that retune() made of this scene's reliefs.
     void updateRelief(PackedScene packed, const Scene& scene);
 
-    /// Room for pictures of `show` of width x height; true if the old film had to go.
-    bool prepareFilm(Show show, int width, int height);
-    bool hasFilm() const { return film_.has_value(); }
-    LiveFilm& film() { return *film_; }
+    /// Takes the film for pictures of `show` of width x height, with shadows or without; true if its old one had to go.
+    bool prepareFilm(Show show, bool shadows, int width, int height);
+    /// That was taken last.
+    LiveFilm& film() { return *films_[film_in_use_]; }
+    const LiveFilm& film() const { return *films_[film_in_use_]; }
+    bool shadows() const { return film_in_use_ == 0; }
     /// Starts a picture with the present camera.
-    void begin(const ViewSettings& view, Sampling sampling, bool shadows);
+    void begin(const ViewSettings& view, Sampling sampling);
     /// On a device that will need drafts without shadows: so that the first of them is not held up by their shaders,
     /// which were translated on another thread meanwhile. Does nothing before these are, or a second time.
     void makeDraftsReady(const ViewSettings& view);
@@ -39,13 +43,20 @@ class Stage {
     std::optional<Pick> pick(const dvec2& share);
 
   private:
+    bool makeRoom(std::size_t film, std::uint32_t mask, int width, int height);
+
     gpu::Device& device_;
     std::unique_ptr<Document> document_;
     Renderer renderer_;
-    std::optional<LiveFilm> film_;
+    std::array<std::optional<LiveFilm>, 2> films_;  ///< with cast shadows, without
+    std::size_t film_in_use_ = 0;
     std::optional<Picker> picker_;
     MarchMethod method_;
     std::future<void> translating_;
 };
+
+/// WarmUp of a device: on a CPU, whose driver leaves most of the work for the first dispatch, by way of another device
+/// of the same kind and the driver's own cache.
+void warmUp(gpu::Device& device, const std::string& selector, const SceneTraits& traits, const MarchMethod& method);
 
 }  // namespace dsphere::viewer

@@ -17,6 +17,7 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowF
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 std::string progressText(const Figures& figures) {
+    if (figures.target_samples == 0) return {};
     if (figures.moving)
         return fmt::format("{}x{}  {:.0f} frames/s", figures.width, figures.height,
                            figures.frame_seconds > 0.0 ? 1.0 / figures.frame_seconds : 0.0);
@@ -45,27 +46,6 @@ void drawDivider(const Ui& ui, int width, int height, double scale) {
     drawLabel(ImVec2(x + pad, top), right, scale);
 }
 
-/// What the colours of a value mean.
-std::string legend(const Ui& ui) {
-    switch (ui.subject.state.view.show) {
-        case Show::Steps:
-            return fmt::format("steps: blue 0, red {:.0f} or more", ui.subject.state.tone.most_steps);
-        case Show::Distance:
-            return "distance: near light, far dark";
-        case Show::Normal:
-            return "normal: x, y, z as red, green, blue";
-        case Show::Uv:
-            return "u as red, v as green";
-        case Show::Albedo:
-            return "albedo";
-        case Show::Residual:
-            return "residual: blue 1e-9 R, red 1e-5 R or more";
-        case Show::Colour:
-            break;
-    }
-    return {};
-}
-
 /// What differs from the picture of `dsphere render`.
 std::string modeText(const Ui& ui) {
     std::string text;
@@ -81,7 +61,8 @@ std::string modeText(const Ui& ui) {
 }  // namespace
 
 void drawStatusBar(Ui& ui, const Extent& window) {
-    const auto [width, height, scale] = window;
+    const int width = window.width, height = window.height;
+    const double scale = window.scale;
     float bar = float(statusHeight(scale)), pad = 10.0f * float(scale);
     ImGui::SetNextWindowPos(ImVec2(0.0f, float(height) - bar));
     ImGui::SetNextWindowSize(ImVec2(float(width), bar));
@@ -112,22 +93,27 @@ void drawStatusBar(Ui& ui, const Extent& window) {
     place(left);
     if (with_file) {
         ImGui::TextUnformatted(ui.figures.file.c_str());
+        showTip("The file that is shown. Ctrl + O opens another.");
         left += widthOf(ui.figures.file.c_str()) + 2.0f * pad;
     }
     if (with_progress) {
         place(left);
         ImGui::TextDisabled("%s", progress.c_str());
+        showTip("How many samples a pixel the picture has, of those that it will have; its size while the view moves.");
     }
     const float right = float(width) - pad - (with_buttons ? buttons + 2.0f * pad : 0.0f);
     if (hover > 0.0f) {
         place(std::max(pad, right - hover + 2.0f * pad));
         ImGui::TextUnformatted(ui.figures.hover.c_str());
+        showTip("What is under the cursor.");
     }
     if (with_buttons) {
         place(float(width) - pad - buttons);
         if (ImGui::Button("Tab: panel")) ui.command = Command::Panel;
+        showTip("All that can be changed: relief, light, colours, values.");
         ImGui::SameLine();
         if (ImGui::Button("H: keys")) ui.command = Command::Keys;
+        showTip("What the mouse and every key do.");
     }
     ImGui::End();
     ImGui::PopStyleVar(4);
@@ -148,6 +134,7 @@ void drawMessage(Ui& ui, const Extent& window) {
     if (ui.message.stays()) {
         if (ImGui::Button("Dismiss")) ui.message.text.clear();
         notePlace(ui, "Dismiss");
+        showTip("Takes this message away (Esc).");
     }
     ImGui::End();
     ImGui::PopStyleVar();
@@ -155,26 +142,44 @@ void drawMessage(Ui& ui, const Extent& window) {
 
 namespace {
 
-/// What is being done while there is no picture yet, where one looks for it.
-void drawProgress(const Ui& ui, const Extent& window) {
-    const std::string text = ui.figures.busy.empty() ? "Preparing the picture" : ui.figures.busy;
-    const std::string line = fmt::format("{} ...  {:.0f} s", text, ui.figures.busy_seconds);
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const float wide = 260.0f * float(window.scale), high = 4.0f * float(window.scale);
-    const ImVec2 middle(0.5f * float(window.width), 0.5f * float(window.height - statusHeight(window.scale)));
-    const float size = 1.3f * ImGui::GetFontSize();
-    const ImVec2 text_size = ImGui::GetFont()->CalcTextSizeA(size, 1e6f, 0.0f, line.c_str());
-    list.AddText(ImGui::GetFont(), size, ImVec2(middle.x - 0.5f * text_size.x, middle.y - 2.0f * size),
-                 IM_COL32(255, 255, 255, 235), line.c_str());
-    const float left = middle.x - 0.5f * wide;
-    list.AddRectFilled(ImVec2(left, middle.y), ImVec2(left + wide, middle.y + high), IM_COL32(255, 255, 255, 40), high);
-    const float share = float(ui.figures.busy_seconds - std::floor(ui.figures.busy_seconds));
-    const float begin = left + 0.75f * wide * (share < 0.5f ? 2.0f * share : 2.0f - 2.0f * share);
-    list.AddRectFilled(ImVec2(begin, middle.y), ImVec2(begin + 0.25f * wide, middle.y + high),
-                       IM_COL32(92, 160, 255, 255), high);
+/// A bar with a share of it filled; negative: a piece that goes to and fro.
+void drawBar(ImDrawList& list, const ImVec2& low, const ImVec2& high, double share, double seconds) {
+    const float wide = high.x - low.x, round = 0.5f * (high.y - low.y);
+    list.AddRectFilled(low, high, IM_COL32(255, 255, 255, 60), round);
+    float begin = low.x, end = low.x + wide * float(std::max(share, 0.02));
+    if (share < 0.0) {
+        const double phase = std::fmod(0.5 * seconds, 1.0);
+        begin = low.x + 0.75f * wide * float(phase < 0.5 ? 2.0 * phase : 2.0 - 2.0 * phase);
+        end = begin + 0.25f * wide;
+    }
+    list.AddRectFilled(ImVec2(begin, low.y), ImVec2(end, high.y), IM_COL32(92, 160, 255, 255), round);
 }
 
 }  // namespace
+
+// In the middle while there is no picture yet, else at its foot.
+void drawProgress(const Ui& ui, const Extent& window) {
+    const Figures& figures = ui.figures;
+    if (ui.starting) return;
+    const bool busy = !figures.busy.empty() && (figures.busy_seconds > 0.3 || !ui.has_picture);
+    if (!busy && figures.sample_share < 0.0 && ui.has_picture) return;
+    const std::string text = busy ? figures.busy : "Rendering the first sample";
+    const std::string line = busy ? fmt::format("{} ...  {:.0f} s", text, figures.busy_seconds)
+                                  : fmt::format("{} ...  {:.0f} %", text, 100.0 * std::max(figures.sample_share, 0.0));
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const float unit = float(window.scale), size = (ui.has_picture ? 1.0f : 1.3f) * ImGui::GetFontSize();
+    const ImVec2 text_size = ImGui::GetFont()->CalcTextSizeA(size, 1e6f, 0.0f, line.c_str());
+    const float wide = std::max(260.0f * unit, text_size.x), middle = 0.5f * float(window.picture_width);
+    const float bottom = float(window.height - statusHeight(window.scale));
+    const float y = ui.has_picture ? bottom - 22.0f * unit : 0.5f * bottom;
+    const ImVec2 low(middle - 0.5f * wide, y), high(middle + 0.5f * wide, y + 6.0f * unit);
+    const float pad = 12.0f * unit;
+    list.AddRectFilled(ImVec2(low.x - pad, low.y - 1.6f * size - pad), ImVec2(high.x + pad, high.y + pad),
+                       IM_COL32(20, 20, 22, 215), 6.0f * unit);
+    list.AddText(ImGui::GetFont(), size, ImVec2(middle - 0.5f * text_size.x, low.y - 1.5f * size),
+                 IM_COL32(255, 255, 255, 235), line.c_str());
+    drawBar(list, low, high, busy ? -1.0 : figures.sample_share, figures.busy_seconds);
+}
 
 void drawClosing(Ui& ui, const Extent& window) {
     ImGui::SetNextWindowPos(ImVec2(0.5f * float(window.width), 0.4f * float(window.height)), ImGuiCond_Always,
@@ -184,15 +189,16 @@ void drawClosing(Ui& ui, const Extent& window) {
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoMove);
     ImGui::TextUnformatted("The panel's changes are in no scene file yet.");
-    const auto choice = [&](const char* name, Command command) {
+    const auto choice = [&](const char* name, Command command, const char* tip) {
         if (ImGui::Button(name)) ui.command = command, ui.closing = false;
         notePlace(ui, name);
+        showTip(tip);
     };
-    choice("Save and close", Command::SaveAndQuit);
+    choice("Save and close", Command::SaveAndQuit, "Writes a new scene file first.");
     ImGui::SameLine();
-    choice("Close without saving", Command::QuitUnsaved);
+    choice("Close without saving", Command::QuitUnsaved, "The panel's changes are lost.");
     ImGui::SameLine();
-    choice("Go on", Command::None);
+    choice("Go on", Command::None, "Back to the picture.");
     ImGui::End();
 }
 
@@ -204,22 +210,23 @@ void notePlace(Ui& ui, const std::string& label) {
 }
 
 void layOut(Ui& ui, const Extent& window) {
-    const auto [width, height, scale] = window;
+    const auto [width, height, scale, picture_width] = window;
     ui.places.clear();
     // Without a window in focus no list is open and nothing is typed into.
     if (std::exchange(ui.let_go, false)) ImGui::SetWindowFocus(nullptr);
     const float bottom = float(height - statusHeight(scale));
     if (ui.has_picture)
         ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<ImTextureID>(Overlay::kPicture), ImVec2(0.0f, 0.0f),
-                                                 ImVec2(float(width), bottom), ImVec2(0.0f, 0.0f),
+                                                 ImVec2(float(picture_width), bottom), ImVec2(0.0f, 0.0f),
                                                  ImVec2(ui.figures.u, ui.figures.v));
-    else
-        drawProgress(ui, window);
-    if (ui.subject.state.view.split) drawDivider(ui, width, height, scale);
-    if (const std::string text = legend(ui); !text.empty())
-        drawLabel(ImVec2(10.0f * float(scale), bottom - 2.0f * ImGui::GetFontSize()), text.c_str(), scale);
+    if (ui.subject.state.view.split) drawDivider(ui, picture_width, height, scale);
+    drawInstruments(ui, window);
+    drawProgress(ui, window);
     drawStatusBar(ui, window);
+    if (ui.starting) drawStart(ui, window);
     if (ui.panel_open) drawPanel(ui, window);
+    if (ui.go_to.open) drawGoTo(ui, window);
+    if (ui.path.open) drawPathBox(ui, window);
     if (ui.keys_open) drawKeys(ui, window);
     drawMessage(ui, window);
     if (ui.closing) drawClosing(ui, window);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "viewer/gauges.h"
 #include "viewer/globe.h"
 #include "viewer/keytable.h"
+#include "viewer/pathcompletion.h"
 #include "viewer/state.h"
 
 #include <array>
@@ -28,10 +30,20 @@ struct Figures {
     int samples = 0, target_samples = 0, width = 0, height = 0;
     double frame_seconds = 0.0, rays_per_second = 0.0;
     bool moving = false;
-    std::string busy;           ///< what is being done on another thread; empty: nothing
-    double busy_seconds = 0.0;  ///< since when
-    float u = 1.0f, v = 1.0f;   ///< the part of the picture's texture that is in use
-    std::string hover;          ///< of what is under the cursor; empty beside all objects
+    std::string busy;            ///< what is being done on another thread; empty: nothing
+    double busy_seconds = 0.0;   ///< since when
+    double sample_share = -1.0;  ///< of a first sample that takes long, 0 to 1; -1: there is none
+    float u = 1.0f, v = 1.0f;    ///< the part of the picture's texture that is in use
+    std::string hover;           ///< of what is under the cursor; empty beside all objects
+    Gauges gauges;
+    ShownRange range;         ///< of the values that are shown
+    std::string height_unit;  ///< of the target's heights; empty: unknown
+    /// Of the target where it is coloured by height: what the ramp's ends stand for.
+    struct RampScale {
+        std::string ramp, unit;
+        double low, high;
+    };
+    std::optional<RampScale> ramp;
 };
 
 /// A message that came up; warnings and errors stay until they are dismissed.
@@ -60,6 +72,22 @@ struct Subject {
     const ShapeEdits& edits() const { return state.edits.shapes[state.target]; }
 };
 
+/// A place that is being typed.
+struct GoTo {
+    bool open = false, go = false;
+    double latitude = 0.0, longitude = 0.0;  ///< degrees
+    double altitude = 0.0;                   ///< above the ground, in the gauges' unit
+};
+
+/// A path that is being typed.
+struct PathBox {
+    bool open = false;
+    std::array<char, 1024> text = {};
+    std::string completed;  ///< the text that `completions` are of
+    PathCompletions completions;
+    std::string chosen;  ///< to be opened
+};
+
 /// All that the panels show and change. The viewer takes what comes back as the new state.
 struct Ui {
     Subject subject;
@@ -67,6 +95,11 @@ struct Ui {
     bool panel_open = false, keys_open = false, closing = false;
     bool let_go = false;  ///< the next frame closes open lists
     bool has_picture = false;
+    bool starting = false;            ///< no file is open or being read
+    std::vector<std::string> recent;  ///< offered then
+    bool docked = false;              ///< the panel takes the window's right side, and the picture ends beside it
+    GoTo go_to;
+    PathBox path;
     Message message;
     Command command = Command::None;
     Figures figures;
@@ -78,6 +111,7 @@ struct Ui {
 struct Extent {
     int width, height;
     double scale;
+    int picture_width;  ///< without a docked panel
 };
 
 /// Lays out one frame of the window.
@@ -86,12 +120,23 @@ void layOut(Ui& ui, const Extent& window);
 // The parts of it:
 void drawStatusBar(Ui& ui, const Extent& window);
 void drawPanel(Ui& ui, const Extent& window);
+void drawInstruments(Ui& ui, const Extent& window);
+void drawStart(Ui& ui, const Extent& window);
+void drawGoTo(Ui& ui, const Extent& window);
+void drawPathBox(Ui& ui, const Extent& window);
 void drawKeys(Ui& ui, const Extent& window);
+void drawProgress(const Ui& ui, const Extent& window);
 void drawMessage(Ui& ui, const Extent& window);
 void drawClosing(Ui& ui, const Extent& window);
 
 /// Remembers where the control that was just laid out is.
 void notePlace(Ui& ui, const std::string& label);
+
+/// A tip beside the control that was just laid out, if the mouse is on it.
+void showTip(const char* tip);
+
+/// The width of the panel in pixels.
+int panelWidth(double scale);
 
 /// The height of the status bar in pixels.
 int statusHeight(double scale);

@@ -11,7 +11,7 @@
 namespace dsphere::viewer {
 
 struct ViewerOptions {
-    std::string path;
+    std::string path;  ///< empty: the window asks for one
     OpenScene open;
     std::string device;       ///< DeviceOptions::selector
     bool validation = false;  ///< messages make runViewer throw at the end

@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kPatience = 30.0;  // seconds; machines that run many tests at once are slow
+constexpr double kPatience = 60.0;  // seconds; machines that run many tests at once are slow
 
 void pause(double seconds) {
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
@@ -115,7 +115,7 @@ Viewing::Viewing(const Desktop& desktop, const std::filesystem::path& folder, st
               return words;
           }(),
           {"DISPLAY=" + desktop.display(), "XDG_CACHE_HOME=" + (folder / "cache").string(),
-           "ASAN_OPTIONS=detect_leaks=0"},
+           "XDG_STATE_HOME=" + (folder / "state").string(), "ASAN_OPTIONS=detect_leaks=0"},
           folder, {}, folder / "errors") {}
 
 std::vector<json> Viewing::lines() const {

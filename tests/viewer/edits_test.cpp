@@ -49,6 +49,20 @@ TEST(Edits, TakeTheLeastWork) {
 }
 
 // Nothing equals NaN, not even itself.
+TEST(Edits, TheNightSideHasALightOfItsOwn) {
+    const Scene original = parsed(kPlanets);
+    Edits edits = noEdits(original, 1.0);
+    edits.night_light = 0.25;
+    const Scene lit = edited(original, edits);
+    ASSERT_EQ(lit.lights.size(), 2u);
+    const auto &sun = std::get<DistantLight>(lit.lights[0]), &opposite = std::get<DistantLight>(lit.lights[1]);
+    EXPECT_EQ(opposite.direction, -sun.direction);
+    EXPECT_EQ(opposite.radiance, 0.25 * sun.radiance);
+    EXPECT_EQ(reworkBetween(original, lit), Rework::Reading) << "shaders know how many lights there are";
+    edits.night_light = 0.5;
+    EXPECT_EQ(reworkBetween(lit, edited(original, edits)), Rework::Look);
+}
+
 TEST(Edits, AnUnknownValueOfNanIsNoChange) {
     Scene original = parsed(kPlanets);
     std::get<DisplacedSphere>(original.shapes[0].geometry).nodata = std::numeric_limits<double>::quiet_NaN();

@@ -31,6 +31,13 @@ TEST(KeyTable, KeysAskForThem) {
     EXPECT_EQ(asked('9', true), Command::None);
     EXPECT_EQ(asked('/'), Command::Keys) << "the question mark";
     EXPECT_EQ(asked('/', false, true), Command::Keys);
+    EXPECT_EQ(asked('='), Command::ZoomIn) << "the plus sign, with Shift and without";
+    EXPECT_EQ(asked('=', false, true), Command::ZoomIn);
+    EXPECT_EQ(asked('-'), Command::ZoomOut);
+    EXPECT_EQ(asked('N'), Command::NorthUp);
+    EXPECT_EQ(asked('O', true), Command::OpenFile);
+    EXPECT_TRUE(repeats(Command::MoveDown));
+    EXPECT_FALSE(repeats(Command::GoTo));
 }
 
 TEST(KeyTable, TheManualHasTheTable) {

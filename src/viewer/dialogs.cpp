@@ -1,0 +1,148 @@
+// Windows that something is typed into: a path, a place; and the one that the program starts with.
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+
+#include "viewer/recent.h"
+#include "viewer/ui.h"
+
+namespace dsphere::viewer {
+
+namespace {
+
+constexpr ImGuiWindowFlags kDialog = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav;
+
+void centreNext(const Extent& window, float share, float wide) {
+    ImGui::SetNextWindowPos(ImVec2(0.5f * float(window.picture_width), share * float(window.height)), ImGuiCond_Always,
+                            ImVec2(0.5f, 0.5f));
+    const float most = float(window.picture_width) - 24.0f * float(window.scale);
+    const float fitting = std::min(wide * float(window.scale), most);
+    ImGui::SetNextWindowSizeConstraints(ImVec2(fitting, 0.0f), ImVec2(fitting, 0.9f * float(window.height)));
+}
+
+void setText(PathBox& box, const std::string& text) {
+    const std::size_t length = std::min(text.size(), box.text.size() - 1);
+    std::memcpy(box.text.data(), text.data(), length);
+    box.text[length] = '\0';
+}
+
+// Tab goes on as far as all completions agree.
+int completeText(ImGuiInputTextCallbackData* data) {
+    if (data->EventFlag != ImGuiInputTextFlags_CallbackCompletion) return 0;
+    const std::string common = completionsOf(data->Buf).common;
+    if (common == data->Buf || int(common.size()) + 1 > data->BufSize) return 0;
+    data->DeleteChars(0, data->BufTextLen);
+    data->InsertChars(0, common.c_str());
+    return 0;
+}
+
+void choosePath(PathBox& box, const std::string& path) {
+    if (path.ends_with('/'))
+        setText(box, path);
+    else
+        box.chosen = expandedPath(path);
+}
+
+/// The field and what it may go on as.
+void drawPathField(Ui& ui, bool focus, int most) {
+    PathBox& box = ui.path;
+    if (focus) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1.0f);
+    const bool entered = ImGui::InputTextWithHint(
+        "##path", "Path of a scene (.pbrt) or a heightmap", box.text.data(), box.text.size(),
+        ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_EnterReturnsTrue, completeText);
+    notePlace(ui, "Path");
+    showTip("Tab completes the path, Enter opens it.");
+    const std::string text = box.text.data();
+    if (box.completed != text || box.completions.common.empty()) {
+        box.completed = text;
+        box.completions = completionsOf(text);
+    }
+    if (entered && !text.empty()) {
+        std::error_code error;
+        const bool folder = std::filesystem::is_directory(expandedPath(text), error);
+        choosePath(box, folder && !text.ends_with('/') ? text + "/" : text);
+    }
+    for (int i = 0; i < std::min(most, int(box.completions.paths.size())); ++i) {
+        const std::string& path = box.completions.paths[std::size_t(i)];
+        if (ImGui::Selectable(path.c_str())) choosePath(box, path);
+        notePlace(ui, "Path/" + path);
+    }
+    if (most > 0 && int(box.completions.paths.size()) > most)
+        ImGui::TextDisabled("%s", fmt::format("... and {} more", int(box.completions.paths.size()) - most).c_str());
+}
+
+bool drawNumber(Ui& ui, const char* label, double& value, const char* format, const char* tip) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label);
+    ImGui::SameLine(0.42f * ImGui::GetWindowWidth());
+    ImGui::SetNextItemWidth(-1.0f);
+    ImGui::InputDouble((std::string("##go ") + label).c_str(), &value, 0.0, 0.0, format,
+                       ImGuiInputTextFlags_AutoSelectAll);
+    const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
+    const bool entered = ImGui::IsItemDeactivated() && (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter));
+    notePlace(ui, label);
+    showTip(tip);
+    return entered;
+}
+
+}  // namespace
+
+void drawPathBox(Ui& ui, const Extent& window) {
+    centreNext(window, 0.35f, 620.0f);
+    if (ImGui::Begin("Open a scene or a heightmap", &ui.path.open, kDialog))
+        drawPathField(ui, ImGui::IsWindowAppearing(), 10);
+    ImGui::End();
+}
+
+void drawGoTo(Ui& ui, const Extent& window) {
+    GoTo& place = ui.go_to;
+    centreNext(window, 0.35f, 360.0f);
+    if (ImGui::Begin("Go to a place", &place.open, kDialog)) {
+        if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+        const std::string height = std::string("%.6g ") + ui.figures.gauges.unit.name();
+        bool entered = drawNumber(ui, "Latitude", place.latitude, "%.5f° N", "Degrees; south of the equator negative.");
+        entered |= drawNumber(ui, "Longitude", place.longitude, "%.5f° E", "Degrees; west of the meridian negative.");
+        entered |= drawNumber(ui, "Above the ground", place.altitude, height.c_str(),
+                              "How high the eye is: metres where the map knows its radius, else radii (R).");
+        if (ImGui::Button("Go") || entered) place.go = true;
+        notePlace(ui, "Go");
+        showTip("Flies there and looks straight down, north up.");
+    }
+    ImGui::End();
+}
+
+void drawStart(Ui& ui, const Extent& window) {
+    centreNext(window, 0.47f, 640.0f);
+    ImGui::Begin("dsphere###start", nullptr,
+                 kDialog | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::TextWrapped("Drop a scene or a heightmap on this window, or type its path:");
+    drawPathField(ui, false, ui.path.text[0] == '\0' ? 0 : 6);
+    if (!ui.recent.empty()) {
+        ImGui::Separator();
+        ImGui::TextDisabled("Opened lately");
+        for (const std::string& path : ui.recent) {
+            if (ImGui::Selectable(path.c_str())) ui.path.chosen = path;
+            notePlace(ui, "Recent/" + std::filesystem::path(path).filename().string());
+            showTip("Opens it again.");
+        }
+    }
+    ImGui::Separator();
+    ImGui::TextDisabled("Or look at a sample");
+    for (std::size_t i = 0; i < std::size(kSamples); ++i) {
+        if (i > 0) ImGui::SameLine();
+        if (ImGui::Button(kSamples[i].name)) ui.path.chosen = samplePath(i);
+        notePlace(ui, kSamples[i].name);
+        showTip(kSamples[i].tells);
+    }
+    ImGui::Separator();
+    ImGui::TextDisabled("Then: drag to turn, scroll to zoom, Tab for the panel, H for all keys.");
+    ImGui::End();
+}
+
+}  // namespace dsphere::viewer
