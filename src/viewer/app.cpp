@@ -103,7 +103,9 @@ void App::startPicture(bool draft) {
     const auto [most_width, most_height] = pictureSize();
     const int width = std::max(1, int(std::ceil(scale * most_width)));
     const int height = std::max(1, int(std::ceil(scale * most_height)));
-    if (stage_->prepareFilm(chosen_.view.show, !draft || schedule_.shadows(), most_width, most_height))
+    // Films without shadows have more planes, and are only as large as the drafts that they are for.
+    const bool shadows = !draft || schedule_.shadows();
+    if (stage_->prepareFilm(chosen_.view.show, shadows, shadows ? most_width : width, shadows ? most_height : height))
         display_.forget();
     stage_->setCamera(control_->camera(), width, height);
     camera_is_new_ = false;

@@ -58,6 +58,7 @@ void App::handle(const Event& event) {
             break;
         }
         case Event::Release:
+            if (hand_.drag == Hand::Drag::None) onPanel(event.cursor);  // a slider or a panel comes as far as this
             hand_.tell(event);
             release();
             // A second click that became a drag is one.

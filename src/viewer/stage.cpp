@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "gpu/device.h"
 #include "render/marchpipeline.h"
+#include "viewer/schedule.h"
 
 namespace dsphere::viewer {
 
@@ -87,7 +88,8 @@ void Stage::makeDraftsReady(const ViewSettings& view) {
     translating_.get();
     if (view.method != method_ || view.show != Show::Colour) return;
     const gpu::StorageImage& room = films_[0]->film().image();
-    makeRoom(1, planesOf(Show::Colour, false), int(room.width()), int(room.height()));
+    const auto least = [](std::uint32_t side) { return int(std::ceil(Schedule::kLeastScale * side)); };
+    makeRoom(1, planesOf(Show::Colour, false), least(room.width()), least(room.height()));
     films_[1]->prepare(withoutShadows(method_));
 }
 
