@@ -177,7 +177,7 @@ ShownRange App::shownRange() const {
     // The nearer, the closer the lines.
     const double share = std::min(control_->altitude() / radius, 1.0);
     const double heights = std::max(range.greatest_height - range.least_height, 1e-12);
-    range.contour_spacing = roundStep(heights / 10.0 * std::max(std::sqrt(std::max(share, 0.0)), 0.01));
+    range.contour_spacing = roundStep(heights / 8.0 * std::max(std::sqrt(std::max(share, 0.0)), 0.01));
     constexpr double kDegrees[] = {15.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1};
     for (const double degrees : kDegrees)
         if (degrees == kDegrees[0] || degrees >= 20.0 * share) range.graticule_spacing = degrees;

@@ -30,10 +30,13 @@ Hand::Pending Hand::kindOf(const Event& event) {
     }
 }
 
-// ImGui 1.86 keeps one state of the mouse and the keys, and looks at it once a frame.
+// ImGui 1.86 keeps one state of the mouse and the keys, and looks at it once a frame: a press is where the mouse is
+// then.
 bool Hand::needsFrame(const Event& event) const {
     const Pending kind = kindOf(event);
-    if (pending_ == Pending::Nothing || kind == Pending::Nothing) return false;
+    if (pending_ == Pending::Nothing) return false;
+    if (pending_ == Pending::Button && event.kind == Event::Move) return true;
+    if (kind == Pending::Nothing) return false;
     if (pending_ == Pending::Button || kind == Pending::Button) return true;
     return ImGui::GetIO().WantTextInput && !(kind == Pending::Text && pending_ == Pending::Text);
 }
