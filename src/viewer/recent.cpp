@@ -7,8 +7,8 @@
 #include <span>
 
 #include "base/atomicfile.h"
+#include "base/cachefolder.h"
 #include "base/error.h"
-#include "gpu/pipeline_cache.h"
 #include "image/generate.h"
 #include "image/greymap.h"
 
@@ -57,7 +57,7 @@ constexpr const char* kSampleShapes[std::size(kSamples)] = {
     "Shape \"displacedsphere\" \"string displacementfunction\" \"ripples\" \"float maxdispl\" 15\n"};
 
 fs::path samplesFolder() {
-    const fs::path cache = gpu::PipelineCache::folder();
+    const fs::path cache = cacheFolder();
     return (cache.empty() ? fs::temp_directory_path() / "dsphere" : cache) / "samples";
 }
 

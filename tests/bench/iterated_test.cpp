@@ -2,6 +2,7 @@
 
 #include "bench/iterated.h"
 #include "bench/suite.h"
+#include "bench/views.h"
 #include "tests/support/testmaps.h"
 
 #include <gtest/gtest.h>
