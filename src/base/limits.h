@@ -40,8 +40,8 @@ inline constexpr double kReach = 2e4;                ///< the greatest radius of
 inline constexpr double kDisplacement = 1e6;         ///< maxdispl in percent
 
 // The options.
-inline constexpr Span kFov{1e-4, 179.99};  ///< degrees over the shorter axis
-inline constexpr int kResolution = 65536;  ///< pixels a side
+inline constexpr Span kFov{1e-4, 179.99};    ///< degrees over the shorter axis
+inline constexpr int kResolution = 1 << 20;  ///< pixels a side
 inline constexpr int kPixelSamples = 65536;
 inline constexpr int kMaxDepth = 64;  ///< reflections; more is cut down to it
 

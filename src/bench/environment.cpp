@@ -31,10 +31,14 @@ double systemLoad() {
     return getloadavg(&load, 1) == 1 ? load : 0.0;
 }
 
+std::string buildCommit() {
+    return DSPHERE_COMMIT;
+}
+
 Environment describeEnvironment(const gpu::Device& device, double device_open_seconds, double load) {
     Environment environment;
     environment.version = DSPHERE_VERSION;
-    environment.commit = DSPHERE_COMMIT;
+    environment.commit = buildCommit();
     environment.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
     environment.cpu = cpuName();
     environment.cores = int(std::thread::hardware_concurrency());

@@ -36,6 +36,7 @@ Target checkFrames(const RenderOptions& options, const Scene& scene, const Frame
                    const std::vector<int>& missing) {
     if (!options.resume.empty() || options.write_partial)
         throwUsage("--frames excludes --resume and --write-partial; see --skip-existing");
+    if (options.shard.wanted()) throwUsage("--frames excludes --tile and --samples");
     const int first = missing.empty() ? plan.range.first : missing.front();
     Target target = checkTarget(options, scene, plan.name.of(first));
     if (target.format == Format::Exr && plan.motion && plan.motion->exposureAt(0))
@@ -52,6 +53,7 @@ int renderAnimation(const RenderOptions& options, Scene& scene, const MarchMetho
     const Completing completing;  // frames that are rendered are written
     const FramePlan plan(options.frames, options.outfile.empty() ? scene.film.filename : options.outfile);
     const std::vector<int> missing = plan.missing();
+    const Shard whole = wholePicture(scene);
     const Target target = checkFrames(options, scene, plan, missing);
     FrameCounts counts{.skipped = plan.range.count() - int(missing.size())};
     FrameNotices notices;
@@ -65,7 +67,7 @@ int renderAnimation(const RenderOptions& options, Scene& scene, const MarchMetho
             const double before = shown.renderer().stats().device_seconds;
             const auto progressOfPlanes = [&](double) { return progress(0.0); };
             auto rendered = std::make_shared<Rendered>(
-                renderAll(shown.renderer(), frame.scene, target, {}, progressOfPlanes, progress));
+                renderAll(shown.renderer(), frame.scene, whole, target, {}, progressOfPlanes, progress));
             shown.device().checkValidation();
             notices.add(frame.number, noticesOf(nonFinitePixels(rendered->colour)));
             std::optional<double> seconds = shown.renderer().stats().device_seconds - before;
@@ -73,7 +75,7 @@ int renderAnimation(const RenderOptions& options, Scene& scene, const MarchMetho
             if (options.reproducible) seconds.reset();
             return [&, seconds, rendered, frame = std::move(frame)] {
                 const Origin origin = originOf(frame.scene, shown.moving().maps(), method, shown.device().info());
-                const int samples = rendered->colour.samples;
+                const int samples = rendered->colour.samples();
                 RenderOptions of_frame = options;
                 if (frame.exposure) of_frame.exposure = frame.exposure;
                 Target file = target;

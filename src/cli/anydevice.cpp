@@ -1,6 +1,7 @@
 #include "cli/anydevice.h"
 
 #include "base/error.h"
+#include "render/marchpipeline.h"
 #include "render/pass.h"
 #include "render/renderer.h"
 
@@ -45,6 +46,10 @@ std::unique_ptr<SceneRenderer> AnyDevice::makeRenderer(const PackedScene& packed
                                                        const MarchMethod& method) {
     if (device_) return std::make_unique<Renderer>(*device_, packed, scene, method);
     return std::make_unique<host::HostRenderer>(packed, scene, method, precision_);
+}
+
+int AnyDevice::turns(const SceneTraits& traits, const MarchMethod& method) const {
+    return device_ ? turnsOf(*device_, traits, method) : 1;
 }
 
 void AnyDevice::checkValidation() const {

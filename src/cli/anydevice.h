@@ -23,6 +23,8 @@ class AnyDevice {
     /// The packed scene and the device must outlive the renderer.
     std::unique_ptr<SceneRenderer> makeRenderer(const PackedScene& packed, const Scene& scene,
                                                 const MarchMethod& method);
+    /// Pixels that an invocation takes one after the other; 1 on the host.
+    int turns(const SceneTraits& traits, const MarchMethod& method) const;
     /// checkValidation() of a Vulkan device.
     void checkValidation() const;
 

@@ -23,8 +23,23 @@ void addCommonOptions(CLI::App& command, CommonOptions& options, Devices devices
 void addProgressOption(CLI::App& command, ProgressMode& progress) {
     addChoice<ProgressMode>(
         command, "--progress", progress,
-        {{"auto", ProgressMode::Auto}, {"always", ProgressMode::Always}, {"never", ProgressMode::Never}},
-        "Progress line: on a terminal (auto, the default), always or never", "auto|always|never");
+        {{"auto", ProgressMode::Auto},
+         {"always", ProgressMode::Always},
+         {"never", ProgressMode::Never},
+         {"lines", ProgressMode::Lines}},
+        "Progress line: on a terminal (auto, the default), always or never; lines: \"Progress: 42%\" at each percent, "
+        "for programs that watch",
+        "auto|always|never|lines");
+}
+
+void addToneOptions(CLI::App& command, std::optional<double>& exposure, ToneCurve& curve) {
+    command.add_option("--exposure", exposure, "Stops to brighten a .png by")->type_name("STOPS");
+    addChoice<ToneCurve>(
+        command, "--tone", curve,
+        {{"linear", ToneCurve::Linear}, {"aces", ToneCurve::Aces}, {"reinhard", ToneCurve::Reinhard}},
+        "Curve of a .png's light, after --exposure: linear (the default) cuts at 1; aces: Narkowicz 2015; reinhard: x "
+        "/ (1 + x)",
+        "linear|aces|reinhard");
 }
 
 const char* hostName(host::Precision precision) {

@@ -4,6 +4,7 @@
 #include "cli/terminal.h"
 #include "gpu/device.h"
 #include "host/precision.h"
+#include "image/tone.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -31,6 +32,8 @@ enum class Devices { Vulkan, AndHost };
 
 void addCommonOptions(CLI::App& command, CommonOptions& options, Devices devices = Devices::Vulkan);
 void addProgressOption(CLI::App& command, ProgressMode& progress);
+/// --exposure and --tone.
+void addToneOptions(CLI::App& command, std::optional<double>& exposure, ToneCurve& curve);
 
 /// An option that takes one of a few words, in any case; the help shows them as `words`.
 template <typename T>
@@ -82,5 +85,6 @@ void addDiff(CLI::App& app, Action& action);
 void addInfo(CLI::App& app, Action& action);
 void addImport(CLI::App& app, Action& action);
 void addGenerate(CLI::App& app, Action& action);
+void addMerge(CLI::App& app, Action& action);
 
 }  // namespace dsphere::cli

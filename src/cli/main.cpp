@@ -31,6 +31,7 @@ int run(int argc, char** argv) {
     Action action;
     addView(app, action);
     addRender(app, action);
+    addMerge(app, action);
     addVerify(app, action);
     addSelftest(app, action);
     addQuery(app, action);

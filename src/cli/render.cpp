@@ -23,8 +23,8 @@ double secondsSince(Clock::time_point start) {
 }
 
 // An interruption ends it at once, by an Error, or after the sample in progress if a part is to be written.
-Rendered renderOne(SceneRenderer& renderer, const Scene& scene, const RenderOptions& options, const Target& target,
-                   SampleSums start) {
+Rendered renderOne(SceneRenderer& renderer, const Scene& scene, const Shard& shard, const RenderOptions& options,
+                   const Target& target, SampleSums start) {
     ProgressLine line(options.common.progress, options.common.quiet, "render");
     const auto update = [&](double share) { return line.update(share); };
     const auto updateOrThrow = [&](double share) {
@@ -33,7 +33,7 @@ Rendered renderOne(SceneRenderer& renderer, const Scene& scene, const RenderOpti
         line.say("interrupted: completing the sample in progress; once more to stop at once");
         return false;
     };
-    return renderAll(renderer, scene, target, std::move(start), update, updateOrThrow);
+    return renderAll(renderer, scene, shard, target, std::move(start), update, updateOrThrow);
 }
 
 [[noreturn]] void throwPartial(const RenderOptions& options, const Target& target, int samples, int wanted) {
@@ -55,23 +55,28 @@ int runRender(const RenderOptions& options) {
     const MarchMethod method(options.scene.marcher, MarchMethod().threshold, options.detail);
     if (options.frames.wanted()) return renderAnimation(options, scene, method);
     Target target = checkTarget(options, scene, options.outfile.empty() ? scene.film.filename : options.outfile);
-    const int samples = scene.sampler.pixel_samples;
+    Shard shard = shardOf(options.shard, scene);
     SceneOnDevice shown(scene, options.scene, options.common, method, target.planes());
     const SceneMaps& maps = shown.moving().maps();
     if (!options.common.quiet) printCameraNotices(scene, maps);
-    const Origin origin = originOf(scene, maps, method, shown.device().info());
+    shown.renderer().setCrop(shard.box);
+    if (shard.part) shard.part->turns = shown.device().turns(traitsOf(scene), method);
+    Origin origin = originOf(scene, maps, method, shown.device().info());
+    origin.data = shard.box;
     Earlier earlier;
-    if (!options.resume.empty()) earlier = readEarlier(options.resume, origin, samples);
-    if (earlier.sums.samples > 0 && !earlier.sums.sums.find("A")) target.colours = kColourPlanes;
+    if (!options.resume.empty()) earlier = readEarlier(options.resume, origin, shard.first, shard.last);
+    if (earlier.sums.samples() > 0 && !earlier.sums.parts().front().sums.find("A")) target.colours = kColourPlanes;
     if (options.write_partial) completing.emplace();
-    Rendered rendered = renderOne(shown.renderer(), scene, options, target, std::move(earlier.sums));
+    Rendered rendered = renderOne(shown.renderer(), scene, shard, options, target, std::move(earlier.sums));
     shown.device().checkValidation();
-    const int done = rendered.colour.samples;
+    const int done = rendered.colour.samples();
     const std::size_t non_finite = nonFinitePixels(rendered.colour);
     std::optional<double> seconds = earlier.device_seconds + shown.renderer().stats().device_seconds;
     if (options.reproducible) seconds.reset();
-    writeTarget(target, std::move(rendered).picture(), makeMetadata(scene, origin, done, seconds), options);
-    if (done < samples) throwPartial(options, target, done, samples);
+    Metadata metadata = makeMetadata(scene, origin, done, seconds);
+    if (shard.part) tellPart(metadata, *shard.part);
+    writeTarget(target, std::move(rendered).picture(), metadata, options);
+    if (done < shard.samples()) throwPartial(options, target, done, shard.samples());
     const Result result{target, shown.device().info(), shown.renderer(), maps, secondsSince(start), non_finite};
     if (!options.common.quiet) printNotices(noticesOf(non_finite));
     if (options.common.json) printJson(result);

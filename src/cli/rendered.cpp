@@ -7,12 +7,12 @@
 
 namespace dsphere::cli {
 
-Rendered renderAll(SceneRenderer& renderer, const Scene& scene, const Target& target, SampleSums start,
-                   const Progress& update_planes, const Progress& update) {
+Rendered renderAll(SceneRenderer& renderer, const Scene& scene, const Shard& shard, const Target& target,
+                   SampleSums start, const Progress& update_planes, const Progress& update) {
     Rendered result;
     if (target.aovs) result.planes = renderer.renderPlanes(target.aovs, update_planes);
-    if (scene.sampler.pixel_samples > 0)
-        result.colour = renderer.renderSums(std::move(start), scene.sampler.pixel_samples,
+    if (shard.samples() > 0)
+        result.colour = renderer.renderSums(std::move(start), shard.first, shard.last,
                                             std::uint32_t(scene.sampler.seed), update, target.colours);
     return result;
 }

@@ -2,21 +2,21 @@
 
 // A picture that is rendered, and what is said of it.
 
-#include "cli/frames.h"
+#include "cli/shards.h"
 #include "cli/target.h"
 #include "render/scenerenderer.h"
 #include "surface/scenemaps.h"
 
 namespace dsphere::cli {
 
-/// What is rendered of a picture: all of it, or fewer samples than the scene asks for.
+/// What is rendered of a picture or a part of one: all of it, or fewer samples than were asked for.
 struct Rendered {
     Image planes;
     SampleSums colour;
 
     Image picture() && {
-        if (colour.samples == 0) return std::move(planes);
-        Image image = pictureOf(std::move(colour));
+        if (colour.samples() == 0) return std::move(planes);
+        Image image = pictureOf(colour);
         image.channels.insert(image.channels.end(), std::make_move_iterator(planes.channels.begin()),
                               std::make_move_iterator(planes.channels.end()));
         return image;
@@ -25,8 +25,8 @@ struct Rendered {
 
 /// `update_planes` is told the share that is done of the AOVs; false ends all by an Error. `update` is told that of the
 /// colour; false ends it after the sample in progress. Both may throw.
-Rendered renderAll(SceneRenderer& renderer, const Scene& scene, const Target& target, SampleSums start,
-                   const Progress& update_planes, const Progress& update);
+Rendered renderAll(SceneRenderer& renderer, const Scene& scene, const Shard& shard, const Target& target,
+                   SampleSums start, const Progress& update_planes, const Progress& update);
 
 Notices noticesOf(std::size_t non_finite_pixels);
 

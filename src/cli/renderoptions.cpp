@@ -36,13 +36,7 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
     command.add_flag("--alpha", options.alpha,
                      "Transparent where nothing is hit, infinite lights behind the shapes too: a .png gets an alpha "
                      "channel, which an .exr always has");
-    command.add_option("--exposure", options.exposure, "Stops to brighten a .png by")->type_name("STOPS");
-    addChoice<ToneCurve>(
-        command, "--tone", options.tone,
-        {{"linear", ToneCurve::Linear}, {"aces", ToneCurve::Aces}, {"reinhard", ToneCurve::Reinhard}},
-        "Curve of a .png's light, after --exposure: linear (the default) cuts at 1; aces: Narkowicz 2015; reinhard: x "
-        "/ (1 + x)",
-        "linear|aces|reinhard");
+    addToneOptions(command, options.exposure, options.tone);
     command.add_flag("--reproducible", options.reproducible,
                      "Leave the time, the device and its driver out of the .exr's header: runs then write the same "
                      "bytes, and --resume cannot go on from them");
@@ -69,6 +63,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
         ->type_name("FILE.exr");
     addDetail(command, options.detail);
     addFrameOptions(command, options.frames);
+    addShardOptions(command, options.shard);
     addCommonOptions(command, options.common, Devices::AndHost);
 }
 

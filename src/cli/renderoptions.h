@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/frames.h"
 #include "cli/sceneoptions.h"
+#include "cli/shards.h"
 #include "image/tone.h"
 
 #include <optional>
@@ -19,6 +20,7 @@ struct RenderOptions {
     SceneOptions scene;
     std::string outfile, aov, resume;
     FrameOptions frames;
+    ShardOptions shard;
     std::optional<Format> format;
     std::optional<double> exposure;
     ToneCurve tone = ToneCurve::Linear;

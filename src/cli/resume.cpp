@@ -1,6 +1,7 @@
 #include "cli/resume.h"
 
 #include "base/error.h"
+#include "cli/parts.h"
 
 namespace dsphere::cli {
 
@@ -39,7 +40,7 @@ void requireOrigin(const Metadata& metadata, const Image& picture, const Origin&
 
 }  // namespace
 
-Earlier readEarlier(const std::filesystem::path& path, const Origin& origin, int samples) {
+Earlier readEarlier(const std::filesystem::path& path, const Origin& origin, int first, int last) {
     const Image picture = readExr(path);
     const Metadata metadata = readExrMetadata(path);
     Earlier earlier;
@@ -47,9 +48,11 @@ Earlier readEarlier(const std::filesystem::path& path, const Origin& origin, int
         requireOrigin(metadata, picture, origin);
         const int before = attribute<int>(metadata, "samplesPerPixel");
         if (before < 1) throwInvalid("it has no samples");
-        if (before >= samples)
+        if (const int begins = firstSampleOf(metadata); begins != first)
+            throwInvalid("it begins with sample {}, now {}", begins, first);
+        if (before >= last - first)
             throw Error(ExitCode::Usage, fmt::format("it has {} samples already; give --spp more than that", before));
-        earlier.sums = sumsOf(picture, before);
+        earlier.sums = sumsOf(picture, first, first + before);
         earlier.device_seconds = double(attribute<float>(metadata, "renderTimeSeconds"));
     } catch (const Error& error) {
         throw Error(error.code(), fmt::format("--resume {}: {}", path.string(), error.what()));

@@ -22,7 +22,7 @@ struct Earlier {
 };
 
 /// Reads what `render` wrote. Error (InvalidInput) that says what differs when it is of another origin, or no picture
-/// that can go on; Error (Usage) unless it has fewer than `samples` samples.
-Earlier readEarlier(const std::filesystem::path& path, const Origin& origin, int samples);
+/// that can go on; Error (Usage) unless it lacks some of the samples `first` to `last` - 1.
+Earlier readEarlier(const std::filesystem::path& path, const Origin& origin, int first, int last);
 
 }  // namespace dsphere::cli

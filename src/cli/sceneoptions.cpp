@@ -1,6 +1,7 @@
 #include "cli/sceneoptions.h"
 
 #include "base/error.h"
+#include "base/limits.h"
 #include "cli/commands.h"
 #include "geo/mapfile.h"
 #include "render/raster.h"
@@ -24,8 +25,8 @@ void applyFilm(Film& film, const SceneOptions& options) {
         film.width = std::max(1, film.width / 4);
         film.height = std::max(1, film.height / 4);
     }
-    if (film.width < 1 || film.height < 1 || film.width > 65536 || film.height > 65536)
-        throwUsage("--resolution: {}x{} is outside 1 to 65536", film.width, film.height);
+    if (film.width < 1 || film.height < 1 || film.width > limits::kResolution || film.height > limits::kResolution)
+        throwUsage("--resolution: {}x{} is outside 1 to {}", film.width, film.height, limits::kResolution);
     if (!options.crop.empty()) std::copy(options.crop.begin(), options.crop.end(), film.crop.begin());
     const auto& [x0, x1, y0, y1] = film.crop;
     if (!(x0 >= 0.0 && x0 < x1 && x1 <= 1.0 && y0 >= 0.0 && y0 < y1 && y1 <= 1.0))

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "cli/outputs.h"
+#include "render/raster.h"
 
 #include <unistd.h>
 
@@ -37,6 +38,8 @@ void checkFormat(const RenderOptions& options, const Target& target) {
         throwUsage("--exposure: {} is not a finite number of stops", *options.exposure);
     if (target.format == Format::Png && target.aovs)
         throwUsage("{}: a PNG cannot hold --aov outputs; write .exr", name);
+    if (target.format == Format::Png && options.shard.wanted())
+        throwUsage("{}: a part of a picture must be an .exr", name);
     if (target.format == Format::Png) return;
     if (options.tone != ToneCurve::Linear) throwUsage("{}: an EXR holds light as it is; --tone is for .png", name);
     if (options.exposure) throwUsage("{}: an EXR holds light as it is; --exposure is for .png", name);
@@ -50,6 +53,8 @@ Target checkTarget(const RenderOptions& options, const Scene& scene, const std::
     target.format = formatOf(options, target.path);
     if (target.format == Format::Exr || options.alpha) target.colours |= kAlphaPlane;
     checkFormat(options, target);
+    if (const Box box = cropBox(scene.film); target.format == Format::Png)
+        checkPngSize(target.name(), box.width(), box.height(), options.alpha ? 4 : 3);
     checkSampling(options, scene.sampler.pixel_samples, target.aovs);
     if (target.isOutput() && options.common.json) throwUsage("-o - and --json both write to standard output");
     if (target.isOutput() && isatty(STDOUT_FILENO))

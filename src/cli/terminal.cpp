@@ -32,6 +32,7 @@ std::string durationText(double seconds) {
 
 ProgressLine::ProgressLine(ProgressMode mode, bool quiet, std::string label)
     : shown_(!quiet && (mode == ProgressMode::Always || (mode == ProgressMode::Auto && onTerminal()))),
+      percents_(!quiet && mode == ProgressMode::Lines),
       label_(std::move(label)),
       start_(std::chrono::steady_clock::now()),
       last_(start_) {}
@@ -70,6 +71,10 @@ bool ProgressLine::update(double share) {
         tenths_ = int(10.0 * share);
         last_ = now;
         drawn_ = true;
+    }
+    if (percents_ && int(100.0 * share) != percent_) {
+        percent_ = int(100.0 * share);
+        printErr("Progress: {}%\n", percent_);
     }
     return caughtSignal() == 0;
 }

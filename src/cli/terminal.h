@@ -7,14 +7,14 @@
 
 namespace dsphere::cli {
 
-enum class ProgressMode { Auto, Always, Never };
+enum class ProgressMode { Auto, Always, Never, Lines };
 
 /// "4.2 s", "3:07", "1:02:03".
 std::string durationText(double seconds);
 
 /// Progress on standard error: the share that is done, the time that it took and the time that remains. On a terminal a
 /// line with a bar that is drawn anew; elsewhere lines, one at every tenth and every ten seconds. Shown on a terminal
-/// (Auto), always or never.
+/// (Auto), always or never; or (Lines) as "Progress: 42%" at each percent.
 class ProgressLine {
   public:
     ProgressLine(ProgressMode mode, bool quiet, std::string label);
@@ -32,9 +32,11 @@ class ProgressLine {
     void draw(double share, double seconds);
 
     bool shown_;
+    bool percents_;  ///< ProgressMode::Lines
     bool drawn_ = false;
     double share_ = 0.0;
     int tenths_ = -1;  ///< of the last line that was not drawn over
+    int percent_ = -1;
     std::string label_;
     std::chrono::steady_clock::time_point start_, last_;
 };

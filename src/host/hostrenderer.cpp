@@ -59,8 +59,12 @@ HostRenderer::HostRenderer(const PackedScene& packed, const Scene& scene, const 
 
 void HostRenderer::setCamera(const Scene& scene) {
     scene_.update();
-    crop_ = cropBox(scene.film);
     display_ = {0, 0, scene.film.width, scene.film.height};
+    setCrop(cropBox(scene.film));
+}
+
+void HostRenderer::setCrop(const Box& crop) {
+    crop_ = crop;
     tiles_ = tilesOf(shownSpans(scene_.packed().traits, scene_.packed().objects, crop_));
 }
 
@@ -115,23 +119,22 @@ Image HostRenderer::read(const HostFilm& film, std::uint32_t mask) const {
     return image;
 }
 
-SampleSums HostRenderer::renderSums(SampleSums start, int to, std::uint32_t seed, const Progress& progress,
+SampleSums HostRenderer::renderSums(SampleSums start, int from, int to, std::uint32_t seed, const Progress& progress,
                                     std::uint32_t planes) {
-    const int first = start.samples, count = to - first;
-    assert(first >= 0 && count >= 1);
-    HostFilm film = makeFilm(planes);
-    if (first > 0)
+    HostFilm film;
+    const auto begin = [&](const Image* sums) {
+        film = makeFilm(planes);
+        if (!sums) return;
         forPlanes(planes, [&](int layer, const PlaneInfo& info) {
-            const std::vector<float>& sums = start.sums.at(info.channel).floats();
-            std::memcpy(&film.words[sums.size() * std::size_t(layer)], sums.data(), sums.size() * sizeof(float));
+            const std::vector<float>& values = sums->at(info.channel).floats();
+            std::memcpy(&film.words[values.size() * std::size_t(layer)], values.data(), values.size() * sizeof(float));
         });
-    int done = 0;
-    for (bool going = true; going && done < count; ++done)
-        runTiles(film, planes, first + done, seed, [&](double share) {
-            going = going && (!progress || progress((done + share) / count));
-            return true;
-        });
-    return {first + done, read(film, planes)};
+    };
+    const SampleFilm adder = {
+        .begin = begin,
+        .add = [&](int sample, const Progress& share) { runTiles(film, planes, sample, seed, share); },
+        .read = [&] { return read(film, planes); }};
+    return addSamples(adder, std::move(start), from, to, progress);
 }
 
 Image HostRenderer::renderPlanes(std::uint32_t mask, const Progress& progress) {

@@ -13,8 +13,9 @@ class HostRenderer final : public SceneRenderer {
     HostRenderer(const PackedScene& packed, const Scene& scene, const MarchMethod& method, Precision precision);
 
     void setCamera(const Scene& scene) override;
+    void setCrop(const Box& crop) override;
     void update(bool reliefs) override;
-    SampleSums renderSums(SampleSums start, int to, std::uint32_t seed, const Progress& progress,
+    SampleSums renderSums(SampleSums start, int from, int to, std::uint32_t seed, const Progress& progress,
                           std::uint32_t planes = kColourPlanes) override;
     Image renderPlanes(std::uint32_t mask, const Progress& progress) override;
 

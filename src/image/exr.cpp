@@ -16,6 +16,7 @@
 #include "base/atomicfile.h"
 #include "base/error.h"
 #include "image/exrparts.h"
+#include "image/exrstream.h"
 #include "image/picture.h"
 
 namespace dsphere {
@@ -71,14 +72,22 @@ std::optional<Channel> asFloats(const Channel& channel) {
     return Channel{channel.name, std::vector<float>(channel.uints().begin(), channel.uints().end())};
 }
 
-Imf::Header makeHeader(const Image& image, const Channels& channels, const Metadata& metadata) {
-    Imf::Header header(toExr(image.display), toExr(image.data));
+Imf::Header makeHeader(const Box& data, const Box& display, const std::vector<ChannelKind>& channels,
+                       const Metadata& metadata) {
+    Imf::Header header(toExr(display), toExr(data));
     header.compression() = Imf::ZIP_COMPRESSION;
     header.lineOrder() = Imf::INCREASING_Y;
-    for (const Channel* channel : channels)
-        header.channels().insert(channel->name, Imf::Channel(channel->isFloat() ? Imf::FLOAT : Imf::UINT));
+    for (const ChannelKind& channel : channels)
+        header.channels().insert(channel.name, Imf::Channel(channel.is_float ? Imf::FLOAT : Imf::UINT));
     for (const auto& [name, value] : metadata) std::visit(AddAttribute{header, name}, value);
     return header;
+}
+
+/// Threads that pack rows of that width: each has room for two blocks of them.
+int threadsFor(const Box& data, std::size_t channels) {
+    constexpr std::uint64_t kMostBytes = 1 << 27;
+    const std::uint64_t block = 4 * std::uint64_t(data.width()) * channels * 16;
+    return std::min(packingThreads(), int(std::max<std::uint64_t>(1, kMostBytes / (2 * block))));
 }
 
 }  // namespace
@@ -108,23 +117,56 @@ Imf::FrameBuffer makeFrameBuffer(const Box& data, const Channels& channels) {
     return buffer;
 }
 
+struct ExrWriter::State {
+    AtomicFile file;
+    ExrStream stream;
+    std::optional<Imf::OutputFile> out;
+
+    explicit State(const std::filesystem::path& path) : file(path), stream(file, path.string()) {}
+};
+
+ExrWriter::ExrWriter(const std::filesystem::path& path, const Box& data, const Box& display,
+                     const std::vector<ChannelKind>& channels, const Metadata& metadata)
+    : path_(path), state_(std::make_unique<State>(path)) {
+    try {
+        state_->out.emplace(state_->stream, makeHeader(data, display, channels, metadata),
+                            threadsFor(data, channels.size()));
+    } catch (const std::exception& error) {
+        throwFailure("{}: cannot be written: {}", path_.string(), error.what());
+    }
+}
+
+ExrWriter::~ExrWriter() = default;
+
+void ExrWriter::write(const Image& rows) {
+    write(rows.data, channelsOf(rows));
+}
+
+void ExrWriter::write(const Box& rows, const std::vector<const Channel*>& channels) {
+    try {
+        state_->out->setFrameBuffer(makeFrameBuffer(rows, channels));
+        state_->out->writePixels(rows.height());
+    } catch (const std::exception& error) {
+        throwFailure("{}: cannot be written: {}", path_.string(), error.what());
+    }
+}
+
+void ExrWriter::commit() {
+    state_->out.reset();  // its destructor completes the file; a failure in it is kept by the file
+    state_->file.commit();
+}
+
 void writeExr(const std::filesystem::path& path, const Image& image, const Metadata& metadata) {
-    AtomicFile file(path);
+    std::vector<ChannelKind> kinds;
     Channels channels = channelsOf(image);
     std::vector<Channel> converted;
     converted.reserve(channels.size());
     for (const Channel*& channel : channels)
         if (std::optional<Channel> floats = asFloats(*channel)) channel = &converted.emplace_back(std::move(*floats));
-    try {
-        ExrStream stream(file, path.string());
-        Imf::OutputFile out(stream, makeHeader(image, channels, metadata), packingThreads());
-        out.setFrameBuffer(makeFrameBuffer(image.data, channels));
-        out.writePixels(image.data.height());
-        // The destructors complete the file; a failure in them is kept by it.
-    } catch (const std::exception& error) {
-        throwFailure("{}: cannot be written: {}", path.string(), error.what());
-    }
-    file.commit();
+    for (const Channel* channel : channels) kinds.push_back({channel->name, channel->isFloat()});
+    ExrWriter writer(path, image.data, image.display, kinds, metadata);
+    writer.write(image.data, channels);
+    writer.commit();
 }
 
 }  // namespace dsphere

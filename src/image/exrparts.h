@@ -3,6 +3,7 @@
 // What the writer and the readers of EXR files share.
 
 #include "base/image.h"
+#include "image/picture.h"
 
 #include <ImfFrameBuffer.h>
 #include <ImfMultiPartInputFile.h>
@@ -26,6 +27,13 @@ Imf::FrameBuffer makeFrameBuffer(const Box& data, const Channels& channels);
 
 /// Names the channels of the first part that are wanted.
 using ChooseChannels = std::function<std::vector<std::string>(const Imf::MultiPartInputFile& file)>;
+
+/// Throws Error, which does not name the file, unless the header's sizes are sane and a file of as many bytes can hold
+/// what it promises.
+void checkExrHeader(const Imf::Header& header, const std::vector<std::string>& wanted, std::uint64_t file_bytes);
+
+/// The attributes of the types that Metadata knows.
+Metadata metadataOf(const Imf::Header& header);
 
 std::vector<std::string> channelNames(const Imf::ChannelList& channels);
 

@@ -3,6 +3,7 @@
 #include <ImfHeader.h>
 #include <ImfInputPart.h>
 #include <ImfIntAttribute.h>
+#include <ImfMatrixAttribute.h>
 #include <ImfStringAttribute.h>
 #include <ImfTileDescription.h>
 
@@ -29,8 +30,9 @@ void checkTiles(const Imf::TileDescription& tiles, std::uint64_t channels, std::
         throwInvalid("tiles of {}x{} pixels in a file of {} bytes", tiles.xSize, tiles.ySize, file_bytes);
 }
 
-/// Throws unless the header's sizes are sane and the file can hold what it promises.
-void checkHeader(const Imf::Header& header, const std::vector<std::string>& wanted, std::uint64_t file_bytes) {
+}  // namespace
+
+void checkExrHeader(const Imf::Header& header, const std::vector<std::string>& wanted, std::uint64_t file_bytes) {
     const Imath::Box2i& window = header.dataWindow();
     const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1;
     const std::int64_t height = std::int64_t(window.max.y) - window.min.y + 1;
@@ -48,8 +50,6 @@ void checkHeader(const Imf::Header& header, const std::vector<std::string>& want
     if (header.hasTileDescription()) checkTiles(header.tileDescription(), channels, file_bytes);
 }
 
-}  // namespace
-
 std::vector<std::string> channelNames(const Imf::ChannelList& channels) {
     std::vector<std::string> names;
     for (auto c = channels.begin(); c != channels.end(); ++c) names.emplace_back(c.name());
@@ -63,7 +63,7 @@ Image readExrPixels(const std::filesystem::path& path, bool keep_uints, const Ch
     Imf::MultiPartInputFile file(path.c_str(), 0);
     const Imf::Header& header = file.header(0);
     const std::vector<std::string> wanted = choose(file);
-    checkHeader(header, wanted, std::filesystem::file_size(path));
+    checkExrHeader(header, wanted, std::filesystem::file_size(path));
     Imf::InputPart part(file, 0);
     Image image;
     image.data = fromExr(header.dataWindow());
@@ -79,22 +79,31 @@ Image readExrPixels(const std::filesystem::path& path, bool keep_uints, const Ch
     return image;
 }
 
+Metadata metadataOf(const Imf::Header& header) {
+    Metadata metadata;
+    for (auto i = header.begin(); i != header.end(); ++i) {
+        // How the file is laid out; the library adds them as it reads.
+        if (i.name() == std::string_view("type") || i.name() == std::string_view("chunkCount")) continue;
+        if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&i.attribute()))
+            metadata[i.name()] = text->value();
+        if (const auto* integer = dynamic_cast<const Imf::IntAttribute*>(&i.attribute()))
+            metadata[i.name()] = integer->value();
+        if (const auto* number = dynamic_cast<const Imf::FloatAttribute*>(&i.attribute()))
+            metadata[i.name()] = number->value();
+        if (const auto* matrix = dynamic_cast<const Imf::M44fAttribute*>(&i.attribute())) {
+            std::array<float, 16> values;
+            std::copy_n(&matrix->value()[0][0], 16, values.begin());
+            metadata[i.name()] = values;
+        }
+    }
+    return metadata;
+}
+
 Metadata readExrMetadata(const std::filesystem::path& path) {
     try {
         InputFile input(path);
         checkExrHeaders(input);
-        Imf::MultiPartInputFile file(path.c_str(), 0);
-        const Imf::Header& header = file.header(0);
-        Metadata metadata;
-        for (auto i = header.begin(); i != header.end(); ++i) {
-            if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&i.attribute()))
-                metadata[i.name()] = text->value();
-            if (const auto* integer = dynamic_cast<const Imf::IntAttribute*>(&i.attribute()))
-                metadata[i.name()] = integer->value();
-            if (const auto* number = dynamic_cast<const Imf::FloatAttribute*>(&i.attribute()))
-                metadata[i.name()] = number->value();
-        }
-        return metadata;
+        return metadataOf(Imf::MultiPartInputFile(path.c_str(), 0).header(0));
     } catch (const std::exception& error) {
         throwInvalid("{}: cannot be read as EXR: {}", path.string(), error.what());
     }

@@ -27,11 +27,14 @@ void writeExr(const std::filesystem::path& path, const Image& image, const Metad
 /// colours are divided by it, as PNG demands. Same atomicity and errors as writeExr.
 void writePng(const std::filesystem::path& path, const Image& image, const Tone& tone = {});
 
+/// Error (Failure) with the reason where writePng() could not hold so many pixels and channels.
+void checkPngSize(const std::filesystem::path& path, int width, int height, int channels);
+
 /// Chooses by the extension, .exr or .png; another one is an Error (Usage).
 void writePicture(const std::filesystem::path& path, const Image& image, const Metadata& metadata,
                   const Tone& tone = {});
 
-/// The header's attributes of the types that Metadata holds, matrices left out. Errors as readExr.
+/// The header's attributes of the types that Metadata holds. Errors as readExr.
 Metadata readExrMetadata(const std::filesystem::path& path);
 
 /// Reads back every channel of an EXR file (tests, comparisons), of the first part if there are several; HALF ones are

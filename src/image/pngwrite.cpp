@@ -48,12 +48,18 @@ std::vector<std::uint8_t> encoded(const Image& image, const Tone& tone) {
 
 }  // namespace
 
+void checkPngSize(const std::filesystem::path& path, int width, int height, int channels) {
+    if (std::uint64_t(width) * std::uint64_t(height) * std::uint64_t(channels) > kMaxBytes)
+        throwFailure(
+            "{}: {}x{} pixels of {} channels are more than the library that writes PNGs counts ({} bytes); write an "
+            ".exr",
+            path.string(), width, height, channels, kMaxBytes);
+}
+
 void writePng(const std::filesystem::path& path, const Image& image, const Tone& tone) {
     const int width = image.data.width(), height = image.data.height();
     const int channels = image.find("A") ? 4 : 3;
-    if (std::uint64_t(channels) * image.pixelCount() > kMaxBytes)
-        throwFailure("{}: {}x{} pixels are more than a PNG of this program holds; write an EXR", path.string(), width,
-                     height);
+    checkPngSize(path, width, height, channels);
     AtomicFile file(path);
     const std::vector<std::uint8_t> bytes = encoded(image, tone);
     // stb packs in memory and calls writeTo once.

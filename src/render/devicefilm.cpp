@@ -14,8 +14,10 @@ namespace {
 void requireSize(const gpu::Device& device, int width, int height) {
     const std::uint32_t limit = device.limits().max_image_dimension_2d;
     if (std::uint32_t(std::max(width, height)) > limit)
-        throwFailure("the picture is {}x{} pixels, but images of {} end at {}x{}; render it in parts with --cropwindow",
-                     width, height, device.info().name, limit, limit);
+        throwFailure(
+            "the picture is {}x{} pixels, but images of {} end at {}x{}; render it in parts: --tile I/N and "
+            "dsphere merge, or --cropwindow",
+            width, height, device.info().name, limit, limit);
 }
 
 }  // namespace

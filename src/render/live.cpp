@@ -22,9 +22,12 @@ void LiveFilm::begin(std::vector<LivePart> parts, Sampling sampling, std::uint32
     runs_.clear();
     for (const LivePart& part : parts_) {
         prepare(part.method);
-        runs_.emplace_back(makeTiles(renderer_.spans(), part.x0, part.x1), box_.x0, box_.y0);
+        const int columns = passes_.at(part.method).columns();
+        runs_.emplace_back(makeTiles(renderer_.spans(), part.x0, part.x1, columns), box_.x0, box_.y0);
     }
     film_.clear();
+    blocks_ = {};
+    shown_samples_ = 0;
     part_ = 0;
     first_ = sampling == Sampling::Jittered ? 0 : -1;
     samples_ = 0;
@@ -32,22 +35,57 @@ void LiveFilm::begin(std::vector<LivePart> parts, Sampling sampling, std::uint32
     seconds_ = 0.0;
 }
 
+Pass& LiveFilm::passOf(const MarchMethod& method) {
+    if (blocks_.samples() == 0) return passes_.at(method);
+    return block_passes_
+        .try_emplace(method, device_, renderer_.pipelines(method, film_.mask()), renderer_.deviceScene(),
+                     block_film_->image())
+        .first->second;
+}
+
+// Blocks are added up as Renderer::renderSums() does it, so that the picture is the same.
+void LiveFilm::endBlock() {
+    const DeviceFilm& block = blocks_.samples() > 0 ? *block_film_ : film_;
+    blocks_.append({samples_ - kSumBlock, samples_, block.read(box_, box_)});
+    if (!block_film_)
+        block_film_.emplace(device_, int(film_.image().width()), int(film_.image().height()), film_.mask());
+    else
+        block_film_->clear();
+}
+
+Image LiveFilm::sums() const {
+    assert(between() && samples_ > 0);
+    if (blocks_.samples() == 0) return film_.read(box_, box_);
+    Image sums = blocks_.total();
+    if (samples_ > blocks_.samples()) addSums(sums, block_film_->read(box_, box_));
+    return sums;
+}
+
+const DeviceFilm& LiveFilm::film() {
+    if (blocks_.samples() > 0 && shown_samples_ != samples_) {
+        film_.write(sums());
+        shown_samples_ = samples_;
+    }
+    return film_;
+}
+
 bool LiveFilm::step(double target) {
     TileRun& run = runs_[part_];
-    if (!run.done()) seconds_ += run.step(passes_.at(parts_[part_].method), first_ + samples_, seed_, target);
+    if (!run.done()) seconds_ += run.step(passOf(parts_[part_].method), first_ + samples_, seed_, target);
     if (!run.done()) return false;
     if (++part_ < runs_.size()) return false;
     part_ = 0;
     for (TileRun& one : runs_) one.rewind();
     ++samples_;
+    if (film_.mask() == kColourPlanes && samples_ % kSumBlock == 0) endBlock();
     sample_seconds_ = seconds_;
     seconds_ = 0.0;
     return true;
 }
 
 Image LiveFilm::read() const {
-    assert(between() && samples_ > 0);
-    Image image = film_.read(box_, {0, 0, box_.width(), box_.height()});
+    Image image = sums();
+    image.display = {0, 0, box_.width(), box_.height()};
     takeMean(image, samples_);
     return image;
 }

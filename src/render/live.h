@@ -5,6 +5,7 @@
 #include "render/tiles.h"
 
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace dsphere {
@@ -38,16 +39,34 @@ class LiveFilm {
     int width() const { return box_.width(); }
     int height() const { return box_.height(); }
     double sampleSeconds() const { return sample_seconds_; }  ///< on the device, of the last complete sample
-    const DeviceFilm& film() const { return film_; }
 
+    bool fits(std::uint32_t mask, int width, int height) const {
+        return film_.mask() == mask && int(film_.image().width()) >= width && int(film_.image().height()) >= height;
+    }
+    std::uint32_t mask() const { return film_.mask(); }
+    int mostWidth() const { return int(film_.image().width()); }  ///< of pictures that it has room for
+    int mostHeight() const { return int(film_.image().height()); }
+
+    /// The sums of the samples; between() samples only.
+    const DeviceFilm& film();
     /// The mean of the samples; between() samples only.
     Image read() const;
 
   private:
+    Pass& passOf(const MarchMethod& method);
+    void endBlock();
+    Image sums() const;
+
     gpu::Device& device_;
     Renderer& renderer_;
     DeviceFilm film_;
     std::map<MarchMethod, Pass> passes_;
+    // Beyond a block of samples: the blocks that are complete, and where the next one is rendered. film_ then holds the
+    // sum of as many samples as it was last asked for.
+    SampleSums blocks_;
+    int shown_samples_ = 0;
+    std::optional<DeviceFilm> block_film_;
+    std::map<MarchMethod, Pass> block_passes_;
     std::vector<LivePart> parts_;
     std::vector<TileRun> runs_;  ///< one a part
     Box box_;

@@ -34,8 +34,12 @@ Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Scene& 
 
 void Renderer::setCamera(const Scene& scene) {
     device_scene_.updateObjects(packed_);
-    crop_ = cropBox(scene.film);
     display_ = {0, 0, scene.film.width, scene.film.height};
+    setCrop(cropBox(scene.film));
+}
+
+void Renderer::setCrop(const Box& crop) {
+    crop_ = crop;
     spans_ = shownSpans(packed_.traits, packed_.objects, crop_);
 }
 
@@ -70,23 +74,18 @@ PassPipelines& Renderer::pipelines(const MarchMethod& method, std::uint32_t mask
     return found->second;
 }
 
-SampleSums Renderer::renderSums(SampleSums start, int to, std::uint32_t seed, const Progress& progress,
+SampleSums Renderer::renderSums(SampleSums start, int from, int to, std::uint32_t seed, const Progress& progress,
                                 std::uint32_t planes) {
-    const int first = start.samples, count = to - first;
-    assert(first >= 0 && count >= 1);
     DeviceFilm film(device_, crop_.width(), crop_.height(), planes);
-    if (first > 0) film.write(start.sums);
-    start.sums = {};
     Pass pass(device_, pipelines(method_, planes), device_scene_, film.image());
-    TileRun run(makeTiles(spans_, 0, crop_.width()), crop_.x0, crop_.y0);
-    int done = 0;
-    for (bool going = true; going && done < count; ++done)
-        runTiles(pass, run, first + done, seed, [&](double share) {
-            going = going && (!progress || progress((done + share) / count));
-            return true;
-        });
+    TileRun run(makeTiles(spans_, 0, crop_.width(), pass.columns()), crop_.x0, crop_.y0);
+    const SampleFilm adder = {
+        .begin = [&](const Image* sums) { sums ? film.write(*sums) : film.clear(); },
+        .add = [&](int sample, const Progress& share) { runTiles(pass, run, sample, seed, share); },
+        .read = [&] { return film.read(crop_, display_); }};
+    SampleSums sums = addSamples(adder, std::move(start), from, to, progress);
     stats_.retried_pixels += pass.retried();
-    return {first + done, film.read(crop_, display_)};
+    return sums;
 }
 
 // Pixels that no dispatch reached are zero; a miss has an infinite t.
@@ -108,15 +107,15 @@ Image Renderer::renderColour(int samples, std::uint32_t seed, const Progress& pr
         if (progress && !progress(share)) throwInterrupted();
         return true;
     };
-    SampleSums sums = renderSums({}, samples, seed, go);
-    takeMean(sums.sums, samples);
-    return std::move(sums.sums);
+    Image picture = renderSums({}, 0, samples, seed, go).total();
+    takeMean(picture, samples);
+    return picture;
 }
 
 Image Renderer::renderPlanes(std::uint32_t mask, const Progress& progress) {
     DeviceFilm film(device_, crop_.width(), crop_.height(), mask);
     Pass pass(device_, pipelines(method_, mask), device_scene_, film.image());
-    TileRun run(makeTiles(spans_, 0, crop_.width()), crop_.x0, crop_.y0);
+    TileRun run(makeTiles(spans_, 0, crop_.width(), pass.columns()), crop_.x0, crop_.y0);
     runTiles(pass, run, -1, 0, progress);  // the pixels' centres
     stats_.retried_pixels += pass.retried();
     Image image = film.read(crop_, display_);

@@ -19,13 +19,14 @@ class Renderer final : public SceneRenderer {
     Renderer(gpu::Device& device, const PackedScene& packed, const Scene& scene, const MarchMethod& method);
 
     void setCamera(const Scene& scene) override;
+    void setCrop(const Box& crop) override;
     void update(bool reliefs) override;
     /// For the renders that follow. Pipelines of methods used before are kept.
     void setMethod(const MarchMethod& method) { method_ = method; }
 
     /// R, G, B: the mean of `samples` jittered samples a pixel (1 to 65536). Error (Interrupted) when stopped.
     Image renderColour(int samples, std::uint32_t seed, const Progress& progress);
-    SampleSums renderSums(SampleSums start, int to, std::uint32_t seed, const Progress& progress,
+    SampleSums renderSums(SampleSums start, int from, int to, std::uint32_t seed, const Progress& progress,
                           std::uint32_t planes = kColourPlanes) override;
     Image renderPlanes(std::uint32_t mask, const Progress& progress) override;
 

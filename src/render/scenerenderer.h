@@ -27,13 +27,14 @@ class SceneRenderer {
 
     /// Takes the camera and film of `scene`; packCamera has given them to the packed scene before.
     virtual void setCamera(const Scene& scene) = 0;
+    /// Renders these pixels of the film in place of those of its crop window.
+    virtual void setCrop(const Box& crop) = 0;
     /// Takes what packLook or, `reliefs`, a new packing of the same maps has made of the packed scene.
     virtual void update(bool reliefs) = 0;
 
-    /// The sums of samples 0 to `to` - 1, of which `start` has some (fewer) already, from this renderer's crop. When
-    /// stopped the sample in progress is completed, and the sums are of fewer than `to`. The same sums whatever
-    /// `start`. `planes`: kColourPlanes, and kAlphaPlane if wanted; `start` has channels of both or is empty.
-    virtual SampleSums renderSums(SampleSums start, int to, std::uint32_t seed, const Progress& progress,
+    /// addSamples() of this renderer's crop. `planes`: kColourPlanes, and kAlphaPlane if wanted; `start` has channels
+    /// of both or is empty.
+    virtual SampleSums renderSums(SampleSums start, int from, int to, std::uint32_t seed, const Progress& progress,
                                   std::uint32_t planes = kColourPlanes) = 0;
     /// The planes of `mask` for the ray through each pixel's centre; kColourPlanes among them are that ray's colour.
     virtual Image renderPlanes(std::uint32_t mask, const Progress& progress) = 0;

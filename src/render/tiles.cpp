@@ -11,7 +11,7 @@ constexpr int kTileRows = 16, kTileColumns = 2048;
 
 }  // namespace
 
-std::vector<Box> makeTiles(const std::vector<Span>& spans, int x0, int x1) {
+std::vector<Box> makeTiles(const std::vector<Span>& spans, int x0, int x1, int columns) {
     std::vector<Box> tiles;
     int height = int(spans.size());
     for (int y = 0; y < height; y += kTileRows) {
@@ -23,7 +23,8 @@ std::vector<Box> makeTiles(const std::vector<Span>& spans, int x0, int x1) {
             if (span.empty()) continue;
             all = all.empty() ? span : Span{std::min(all.x0, span.x0), std::max(all.x1, span.x1)};
         }
-        for (int x = all.x0; x < all.x1; x += kTileColumns)
+        if (all.empty()) continue;
+        for (int x = std::max(x0, all.x0 / columns * columns); x < all.x1; x += kTileColumns)
             tiles.push_back({x, y, std::min(x + kTileColumns, all.x1), y1});
     }
     return tiles;

@@ -8,7 +8,9 @@
 namespace dsphere {
 
 /// Boxes that hold all spans (one a row) within the columns [x0, x1); none holds more pixels than Pass::run() takes.
-std::vector<Box> makeTiles(const std::vector<Span>& spans, int x0, int x1);
+/// They begin at x0 or at multiples of `columns`, which are those of a workgroup: so the pixels that share one do not
+/// depend on where within a crop's first workgroup an object begins.
+std::vector<Box> makeTiles(const std::vector<Span>& spans, int x0, int x1, int columns);
 
 /// The tiles of one sample of a picture, handed to the device in rounds of bounded time.
 class TileRun {

@@ -76,7 +76,7 @@ Made resultOf(const Candidate& candidate, const PackedScene& packed, const TestS
     Made made{{candidate.name, std::move(outcome.report), 0.0, {}}, std::move(outcome.device), {}};
     SceneResult& result = made.result;
     result.faults = result.report.violations();
-    if (packed.traits.paths.diffuse_paths) made.paths = renderer->renderSums({}, kPathSamples, 1, {}).sums;
+    if (packed.traits.paths.diffuse_paths) made.paths = renderer->renderSums({}, 0, kPathSamples, 1, {}).total();
     if (!before) return made;
     std::ranges::move(differences(made.planes, before->planes, before->result.device),
                       std::back_inserter(result.faults));

@@ -34,7 +34,7 @@ std::uint32_t layerOf(std::uint32_t mask, int plane) {
 }
 
 layout::DisplayParams paramsOf(const LiveFilm& film, const DisplaySettings& settings, int lights) {
-    const std::uint32_t mask = film.film().mask();
+    const std::uint32_t mask = film.mask();
     layout::DisplayParams params = {};
     params.width = film.width();
     params.height = film.height();
@@ -85,7 +85,7 @@ void Display::choose(std::uint32_t shown) {
     shown_ = shown;
 }
 
-void Display::bind(const LiveFilm& film) {
+void Display::bind(LiveFilm& film) {
     const gpu::StorageImage& image = film.film().image();
     const std::uint64_t bytes = 4 * std::uint64_t(image.width()) * image.height();
     if (!pixels_ || pixels_->size() < bytes) {
@@ -99,7 +99,7 @@ void Display::bind(const LiveFilm& film) {
     film_ = &film;
 }
 
-void Display::convert(const LiveFilm& film, const DisplaySettings& settings, const layout::DisplayWorld& world,
+void Display::convert(LiveFilm& film, const DisplaySettings& settings, const layout::DisplayWorld& world,
                       int lights) {
     const bool faded = settings.show == Show::Colour && !settings.shadows;
     choose(faded ? SHOW_FADED : std::uint32_t(settings.show));

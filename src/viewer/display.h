@@ -24,14 +24,14 @@ class Display {
     explicit Display(gpu::Device& device);
 
     /// The film's complete samples, between() two. `world` is of the document that the film shows, with so many lights.
-    void convert(const LiveFilm& film, const DisplaySettings& settings, const layout::DisplayWorld& world, int lights);
+    void convert(LiveFilm& film, const DisplaySettings& settings, const layout::DisplayWorld& world, int lights);
     /// The film that was converted last is going.
     void forget() { film_ = nullptr; }
     const gpu::Buffer& pixels() const { return *pixels_; }
 
   private:
     void choose(std::uint32_t shown);
-    void bind(const LiveFilm& film);
+    void bind(LiveFilm& film);
 
     gpu::Device& device_;
     std::optional<gpu::ComputePipeline> pipeline_;  ///< for shown_

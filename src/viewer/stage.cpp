@@ -59,9 +59,7 @@ void Stage::updateRelief(PackedScene packed, const Scene& scene) {
 
 bool Stage::makeRoom(std::size_t film, std::uint32_t mask, int width, int height) {
     std::optional<LiveFilm>& room = films_[film];
-    if (room && room->film().mask() == mask && int(room->film().image().width()) >= width &&
-        int(room->film().image().height()) >= height)
-        return false;
+    if (room && room->fits(mask, width, height)) return false;
     room.reset();
     room.emplace(device_, renderer_, width, height, mask);
     return true;
@@ -87,9 +85,8 @@ void Stage::makeDraftsReady(const ViewSettings& view) {
     if (!translating_.valid() || translating_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
     translating_.get();
     if (view.method != method_ || view.show != Show::Colour) return;
-    const gpu::StorageImage& room = films_[0]->film().image();
-    const auto least = [](std::uint32_t side) { return int(std::ceil(Schedule::kLeastScale * side)); };
-    makeRoom(1, planesOf(Show::Colour, false), least(room.width()), least(room.height()));
+    const auto least = [](int side) { return int(std::ceil(Schedule::kLeastScale * side)); };
+    makeRoom(1, planesOf(Show::Colour, false), least(films_[0]->mostWidth()), least(films_[0]->mostHeight()));
     films_[1]->prepare(withoutShadows(method_));
 }
 

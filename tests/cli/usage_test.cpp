@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
         UsageCase{render({"-o", "a.EXR", "--exposure", "0"}), "--exposure is for .png"},
         UsageCase{render({"--exposure", "x"}), "--exposure"}, UsageCase{render({"--resolution", "64"}), "--resolution"},
         UsageCase{render({"--resolution", "64,0"}), "--resolution"},
-        UsageCase{render({"--resolution", "64,65537"}), "--resolution"},
+        UsageCase{render({"--resolution", "64,1048577"}), "--resolution"},
         UsageCase{render({"--resolution", "64,x"}), "--resolution"},
         UsageCase{render({"--resolution", "64,48,3"}), "--resolution"},
         UsageCase{render({"--cropwindow", "0,1,0"}), "--cropwindow"},

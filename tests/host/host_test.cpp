@@ -98,9 +98,9 @@ TEST_F(HostTest, FloatsAreTheDevices) {
 TEST_F(HostTest, PathsAreTheDevices) {
     gpu::Device device;
     const World made = world(kEverything, kPaths);
-    const Image there = Renderer(device, made.packed, made.scene, Marcher::Exact).renderSums({}, 4, 7, {}).sums;
+    const Image there = Renderer(device, made.packed, made.scene, Marcher::Exact).renderSums({}, 0, 4, 7, {}).total();
     const Image here =
-        HostRenderer(made.packed, made.scene, Marcher::Exact, Precision::Float).renderSums({}, 4, 7, {}).sums;
+        HostRenderer(made.packed, made.scene, Marcher::Exact, Precision::Float).renderSums({}, 0, 4, 7, {}).total();
     for (const char* name : {"R", "G", "B"}) {
         const auto &a = here.at(name).floats(), &b = there.at(name).floats();
         std::size_t off = 0;
@@ -112,19 +112,19 @@ TEST_F(HostTest, PathsAreTheDevices) {
 TEST_F(HostTest, SumsGoOnWhereTheyStopped) {
     const World made = world(kEverything, kPaths);
     HostRenderer renderer(made.packed, made.scene, Marcher::Exact, Precision::Float);
-    const SampleSums whole = renderer.renderSums({}, 3, 5, {});
-    SampleSums part = renderer.renderSums({}, 1, 5, {});
-    EXPECT_EQ(part.samples, 1);
-    const SampleSums resumed = renderer.renderSums(std::move(part), 3, 5, {});
-    EXPECT_EQ(resumed.samples, 3);
+    const SampleSums whole = renderer.renderSums({}, 0, 3, 5, {});
+    SampleSums part = renderer.renderSums({}, 0, 1, 5, {});
+    EXPECT_EQ(part.samples(), 1);
+    const SampleSums resumed = renderer.renderSums(std::move(part), 0, 3, 5, {});
+    EXPECT_EQ(resumed.samples(), 3);
     for (const char* name : {"R", "G", "B"})
-        EXPECT_EQ(resumed.sums.at(name).floats(), whole.sums.at(name).floats()) << name;
+        EXPECT_EQ(resumed.total().at(name).floats(), whole.total().at(name).floats()) << name;
 }
 
 TEST_F(HostTest, StopsWhenTold) {
     const World made = world(planet());
     HostRenderer renderer(made.packed, made.scene, Marcher::Exact, Precision::Float);
-    EXPECT_EQ(renderer.renderSums({}, 3, 5, [](double) { return false; }).samples, 1);
+    EXPECT_EQ(renderer.renderSums({}, 0, 3, 5, [](double) { return false; }).samples(), 1);
     EXPECT_THROW(renderer.renderPlanes(kAovPlanes, [](double) { return false; }), Error);
 }
 

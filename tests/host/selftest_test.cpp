@@ -21,10 +21,11 @@ class Spoilt final : public SceneRenderer {
     explicit Spoilt(std::unique_ptr<SceneRenderer> renderer) : renderer_(std::move(renderer)) {}
 
     void setCamera(const Scene& scene) override { renderer_->setCamera(scene); }
+    void setCrop(const Box& crop) override { renderer_->setCrop(crop); }
     void update(bool reliefs) override { renderer_->update(reliefs); }
-    SampleSums renderSums(SampleSums start, int to, std::uint32_t seed, const Progress& progress,
+    SampleSums renderSums(SampleSums start, int from, int to, std::uint32_t seed, const Progress& progress,
                           std::uint32_t planes) override {
-        return renderer_->renderSums(std::move(start), to, seed, progress, planes);
+        return renderer_->renderSums(std::move(start), from, to, seed, progress, planes);
     }
     Image renderPlanes(std::uint32_t mask, const Progress& progress) override {
         Image image = renderer_->renderPlanes(mask, progress);

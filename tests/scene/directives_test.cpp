@@ -60,10 +60,10 @@ TEST(Directives, FilmOfEveryName) {
     for (std::string name : {"image", "rgb", "gbuffer"}) {
         Film film =
             parseParts("Film \"" + name +
-                       "\" \"string filename\" \"out/x.png\" \"integer xresolution\" 1 \"integer yresolution\" 65536"
+                       "\" \"string filename\" \"out/x.png\" \"integer xresolution\" 1 \"integer yresolution\" 1048576"
                        " \"float cropwindow\" [0 1 .25 .75]")
                 .film;
-        EXPECT_EQ(film, (Film{"out/x.png", 1, 65536, {0.0, 1.0, 0.25, 0.75}})) << name;
+        EXPECT_EQ(film, (Film{"out/x.png", 1, 1048576, {0.0, 1.0, 0.25, 0.75}})) << name;
     }
 }
 

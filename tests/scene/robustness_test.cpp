@@ -17,8 +17,8 @@ void expectSound(const Scene& scene) {
     EXPECT_FALSE(scene.shapes.empty());
     EXPECT_TRUE(scene.camera.fov_degrees > 0.0 && scene.camera.fov_degrees < 180.0);
     EXPECT_TRUE(isInvertible(scene.camera.camera_from_world));
-    EXPECT_TRUE(scene.film.width >= 1 && scene.film.width <= 65536);
-    EXPECT_TRUE(scene.film.height >= 1 && scene.film.height <= 65536);
+    EXPECT_TRUE(scene.film.width >= 1 && scene.film.width <= limits::kResolution);
+    EXPECT_TRUE(scene.film.height >= 1 && scene.film.height <= limits::kResolution);
     EXPECT_TRUE(scene.film.crop[0] < scene.film.crop[1] && scene.film.crop[2] < scene.film.crop[3]);
     EXPECT_GE(scene.sampler.pixel_samples, 1);
     for (const Shape& shape : scene.shapes) {
