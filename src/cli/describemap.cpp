@@ -7,6 +7,8 @@
 #include "surface/bounds.h"
 #include "surface/preparemap.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>

@@ -99,8 +99,7 @@ void Display::bind(LiveFilm& film) {
     film_ = &film;
 }
 
-void Display::convert(LiveFilm& film, const DisplaySettings& settings, const layout::DisplayWorld& world,
-                      int lights) {
+void Display::convert(LiveFilm& film, const DisplaySettings& settings, const layout::DisplayWorld& world, int lights) {
     const bool faded = settings.show == Show::Colour && !settings.shadows;
     choose(faded ? SHOW_FADED : std::uint32_t(settings.show));
     bind(film);

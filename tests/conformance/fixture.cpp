@@ -63,7 +63,7 @@ std::unique_ptr<SceneRenderer> makeRenderer(const PackedScene& packed, const Sce
 }
 
 Image renderColour(SceneRenderer& renderer, int samples, std::uint32_t seed) {
-    return pictureOf(renderer.renderSums({}, samples, seed, {}));
+    return pictureOf(renderer.renderSums({}, 0, samples, seed, {}));
 }
 
 void Conformance::TearDown() {
