@@ -206,8 +206,9 @@ void drawPanel(Ui& ui, const Extent& window) {
         drawFigures(ui.figures);
     }
     const ImVec2 corner = ImGui::GetWindowPos();
-    ui.places.emplace_back("Title", std::array{corner.x, corner.y, corner.x + ImGui::GetWindowWidth(),
-                                               corner.y + ImGui::GetFrameHeight()});
+    const float title_height = ImGui::GetFrameHeight(), bottom = corner.y + title_height;
+    ui.places.emplace_back("Title", std::array{corner.x, corner.y, corner.x + ImGui::GetWindowWidth(), bottom});
+    ui.places.emplace_back("Fold", std::array{corner.x, corner.y, corner.x + 1.3f * title_height, bottom});
     if (!ui.docked) dockAtEdge(ui, window);
     ImGui::End();
 }

@@ -108,9 +108,9 @@ TEST_F(WindowTest, ThePanelIsDockedMovedAndFolded) {
         return [label](const json& frame) { return frame.at("places").contains(label); };
     };
     viewing.waitFor("its rows", has("Exaggeration"));
-    click(viewing, "Title", "click --repeat 2 --delay 40 1");
+    click(viewing, "Fold");
     viewing.waitFor("the folded panel", [&](const json& frame) { return !has("Exaggeration")(frame); });
-    click(viewing, "Title", "click --repeat 2 --delay 40 1");
+    click(viewing, "Fold");
     const double left = at(viewing.waitFor("the open panel", has("Exaggeration")).at("places"), "Title", 0);
     click(viewing, "Title",
           "mousedown 1 mousemove_relative -- -100 0 sleep 0.1 mousemove_relative -- -100 0 mouseup 1");
