@@ -6,6 +6,7 @@
 #include "geo/readmap.h"
 #include "surface/bounds.h"
 #include "surface/preparemap.h"
+#include "surface/tiledheights.h"
 
 #include <fmt/format.h>
 
@@ -23,8 +24,11 @@ const char* nameOf(Registration registration) {
 
 constexpr std::uint64_t kHeightBytes = 4, kSplineBytes = 16;  // a node
 
-// Of a node of the map's grid on the device, by what the shapes with that map read of it.
+// Of a node of the map's grid on the device, by what the shapes with that map read of it. Of a map that stays in its
+// file not all nodes need be there.
 std::uint64_t bytesPerNode(const SceneMaps& maps, int map) {
+    if (const TiledHeights* tiled = maps.maps[std::size_t(map)]->tiled.get())
+        return std::uint64_t(geo::bytesOf(tiled->kind()));
     bool heights = false, spline = false;
     for (std::size_t k = 0; k < maps.map_of_shape.size(); ++k) {
         if (maps.map_of_shape[k] != map) continue;

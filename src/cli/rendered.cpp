@@ -32,6 +32,7 @@ void printJson(const Result& result) {
                                    {"camera_rays", stats.camera_rays},
                                    {"camera_rays_per_second", result.raysPerSecond()},
                                    {"retried_pixels", stats.retried_pixels},
+                                   {"tiles_read", stats.tiles_read},
                                    {"non_finite_pixels", result.non_finite_pixels},
                                    {"map_bytes", result.renderer.mapBytes()},
                                    {"image_bytes", result.renderer.imageBytes()},
@@ -59,6 +60,9 @@ void printReport(const Result& result, bool verbose) {
     printErr("maps     {:.1f} MiB on the device\n", double(result.renderer.mapBytes()) * mib);
     printErr("images   {:.1f} MiB on the device\n", double(result.renderer.imageBytes()) * mib);
     printErr("retried  {} pixels in full precision\n", result.renderer.stats().retried_pixels);
+    if (result.renderer.stats().tiles_read > 0)
+        printErr("tiles    {} of heights read, {:.1f} MiB\n", result.renderer.stats().tiles_read,
+                 double(result.renderer.stats().tile_bytes) * mib);
 }
 
 }  // namespace dsphere::cli

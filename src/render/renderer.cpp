@@ -74,6 +74,12 @@ PassPipelines& Renderer::pipelines(const MarchMethod& method, std::uint32_t mask
     return found->second;
 }
 
+void Renderer::countWork(const Pass& pass) {
+    stats_.retried_pixels += pass.retried();
+    stats_.tiles_read = device_scene_.tiles().loads();
+    stats_.tile_bytes = stats_.tiles_read * device_scene_.tiles().tileBytes();
+}
+
 SampleSums Renderer::renderSums(SampleSums start, int from, int to, std::uint32_t seed, const Progress& progress,
                                 std::uint32_t planes) {
     DeviceFilm film(device_, crop_.width(), crop_.height(), planes);
@@ -84,7 +90,7 @@ SampleSums Renderer::renderSums(SampleSums start, int from, int to, std::uint32_
         .add = [&](int sample, const Progress& share) { runTiles(pass, run, sample, seed, share); },
         .read = [&] { return film.read(crop_, display_); }};
     SampleSums sums = addSamples(adder, std::move(start), from, to, progress);
-    stats_.retried_pixels += pass.retried();
+    countWork(pass);
     return sums;
 }
 
@@ -117,7 +123,7 @@ Image Renderer::renderPlanes(std::uint32_t mask, const Progress& progress) {
     Pass pass(device_, pipelines(method_, mask), device_scene_, film.image());
     TileRun run(makeTiles(spans_, 0, crop_.width(), pass.columns()), crop_.x0, crop_.y0);
     runTiles(pass, run, -1, 0, progress);  // the pixels' centres
-    stats_.retried_pixels += pass.retried();
+    countWork(pass);
     Image image = film.read(crop_, display_);
     fillMisses(image, run.tiles());
     return image;

@@ -41,6 +41,7 @@ class Renderer final : public SceneRenderer {
 
   private:
     void runTiles(Pass& pass, TileRun& run, int sample, std::uint32_t seed, const Progress& progress);
+    void countWork(const Pass& pass);
     void fillMisses(Image& image, const std::vector<Box>& tiles) const;
 
     gpu::Device& device_;

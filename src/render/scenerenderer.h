@@ -15,6 +15,8 @@ struct RenderStats {
     double wall_seconds = 0.0;    ///< of the same on the host's clock, submissions and waits included
     std::uint64_t camera_rays = 0;
     std::uint64_t retried_pixels = 0;  ///< samples of pixels that single floats could not decide, or were spared
+    std::uint64_t tiles_read = 0;      ///< of maps that stay in their file, and their bytes on the device
+    std::uint64_t tile_bytes = 0;
 };
 
 /// Called with the share of the work that is done, 0 to 1; false stops the render.
