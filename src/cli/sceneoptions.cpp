@@ -82,7 +82,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
         .add_option("--mem-limit", options.memory_limit,
                     "Memory for heights, as 512M or 2G: a larger map stays in its file, and parts of it are read when "
                     "rays need them; the picture is the same. Default: half of the device's")
-        ->transform(CLI::AsSizeValue(false))
+        ->transform(CLI::AsSizeValue(false).description(""))
         ->type_name("SIZE");
     command.add_flag("--quick", options.quick, "A quarter of the resolution and one sample a pixel");
 }

@@ -32,7 +32,7 @@ TEST_F(CliTest, HelpOfEachCommand) {
 TEST_F(CliTest, HelpShowsTheWordsOfAChoiceAndNoNumbers) {
     std::string help = run({"render", "--help"}).out;
     EXPECT_TRUE(holds(help, "--marcher exact|naive|naive-shell|lipschitz\n"));
-    EXPECT_TRUE(holds(help, "--progress auto|always|never\n"));
+    EXPECT_TRUE(holds(help, "--progress auto|always|never|lines\n"));
 }
 
 /// A command line after the program's name, and what its complaint must hold.
