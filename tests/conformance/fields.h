@@ -71,34 +71,47 @@
 
 #define TRIANGLE_FIELDS(V) V(a) V(b) V(c) V(v)
 
-#define MAP_FIELDS(F, I)                                                                                              \
-    I(width)                                                                                                          \
-    I(rows)                                                                                                           \
-    I(heights_x)                                                                                                      \
-    I(heights_y)                                                                                                      \
-    I(layer)                                                                                                          \
-    I(bounds_y)                                                                                                       \
-    I(bounds_layer)                                                                                                   \
-    I(bounds_side)                                                                                                    \
-    I(start_side)                                                                                                     \
-    I(edges_y)                                                                                                        \
-    I(caps)                                                                                                           \
-    F(columns_per_turn)                                                                                               \
-    F(first_column)                                                                                                   \
-    F(cells_per_radian_u)                                                                                             \
-    F(cells_per_radian_v)                                                                                             \
-    F(cap_shift)                                                                                                      \
-    F(tan_width)                                                                                                      \
-    F(tan_height)                                                                                                     \
-    F(sin_width)                                                                                                      \
-    F(versin_width)                                                                                                   \
-    F(sin_height)                                                                                                     \
-    F(versin_height)                                                                                                  \
-    F(sin_cap)                                                                                                        \
-    F(versin_cap)                                                                                                     \
-    F(least_pixel)                                                                                                    \
-    I(surface) I(cap_rows) I(nodes_y) I(nodes_layer) I(smooth_normals) F(phase_u) F(phase_v) I(tile_shift) I(table_y) \
-        I(tiles_y) I(first_tile) I(tile_words) I(samples) F(north_pole) F(south_pole)
+#define MAP_FIELDS(F, I)  \
+    I(width)              \
+    I(rows)               \
+    I(heights_x)          \
+    I(heights_y)          \
+    I(layer)              \
+    I(bounds_y)           \
+    I(bounds_layer)       \
+    I(bounds_side)        \
+    I(start_side)         \
+    I(edges_y)            \
+    I(caps)               \
+    F(columns_per_turn)   \
+    F(first_column)       \
+    F(cells_per_radian_u) \
+    F(cells_per_radian_v) \
+    F(cap_shift)          \
+    F(tan_width)          \
+    F(tan_height)         \
+    F(sin_width)          \
+    F(versin_width)       \
+    F(sin_height)         \
+    F(versin_height)      \
+    F(sin_cap)            \
+    F(versin_cap)         \
+    F(least_pixel)        \
+    I(surface)            \
+    I(cap_rows)           \
+    I(nodes_y)            \
+    I(nodes_layer)        \
+    I(smooth_normals)     \
+    F(phase_u)            \
+    F(phase_v)            \
+    I(tile_shift)         \
+    I(table_y)            \
+    I(tiles_y)            \
+    I(first_tile)         \
+    I(tile_words)         \
+    I(samples)            \
+    F(north_pole)         \
+    F(south_pole)
 
 #define PROBE_RAY_FIELDS(V, U) V(point) V(point_lo) V(direction) V(direction_lo) U(flags) U(pad0) U(pad1) U(pad2)
 
