@@ -64,6 +64,17 @@ VkDebugUtilsMessengerCreateInfoEXT messengerInfo(std::vector<std::string>* messa
     return info;
 }
 
+/// The functions are the program's, not the instance's: one without a window's extensions that came later would take
+/// those of an instance that has them.
+void loadFunctions(VkInstance instance, bool extended) {
+    static std::mutex mutex;
+    static bool loaded_extended = false;
+    const std::lock_guard lock(mutex);
+    if (loaded_extended) return;
+    volkLoadInstanceOnly(instance);
+    loaded_extended = extended;
+}
+
 }  // namespace
 
 Instance::Instance(bool validation, const std::vector<const char*>& more_extensions) {
@@ -108,7 +119,7 @@ Instance::Instance(bool validation, const std::vector<const char*>& more_extensi
         throw Error(ExitCode::NoDevice, "no Vulkan device: the Vulkan loader found no driver");
     }
     check(result, "vkCreateInstance");
-    volkLoadInstanceOnly(instance_);
+    loadFunctions(instance_, !more_extensions.empty());
     if (validation && debug_utils_) createMessenger(messenger);
 }
 

@@ -67,7 +67,6 @@ INSTANTIATE_TEST_SUITE_P(
         UsageCase{{"rendr", "planet.pbrt"}, "rendr: no such command; dsphere render?"},
         UsageCase{{"planet.pbrt"}, "planet.pbrt is a file, not a command: dsphere render planet.pbrt -o picture.png"},
         UsageCase{{"missing.pbrt"}, "dsphere view missing.pbrt shows it"},
-        UsageCase{{"view"}, "scene is required; give it: dsphere view SCENE; see dsphere view --help"},
         UsageCase{{"generate", "moon"}, "give it: dsphere generate KIND --outfile FILE"},
         UsageCase{{"--nonsense"}, "subcommand is required"}, UsageCase{{"render"}, "scene is required"},
         UsageCase{{"verify"}, "scene is required"}, UsageCase{render({"another.pbrt"}), "another.pbrt"},

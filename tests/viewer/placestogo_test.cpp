@@ -139,7 +139,7 @@ TEST_F(WindowTest, ThePanelIsDockedMovedAndFolded) {
 TEST_F(WindowTest, AStandInComesFirst) {
     folder_.write("metal.pbrt",
                   "Scale -1 1 1 LookAt 0 1 4  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" 40\n"
-                  "Film \"rgb\" \"integer xresolution\" 320 \"integer yresolution\" 200\n"
+                  "Film \"rgb\" \"integer xresolution\" 520 \"integer yresolution\" 400\n"
                   "Sampler \"independent\" \"integer pixelsamples\" 1\nIntegrator \"path\"\nWorldBegin\n"
                   "LightSource \"infinite\" \"rgb L\" [.3 .3 .4]\nLightSource \"distant\" \"point3 from\" [1 1 1]\n"
                   "Material \"mirror\"\n"
