@@ -56,7 +56,7 @@ grep --quiet "of 10 tasks are not done" film/*.log || fail "no task was submitte
 echo "-- tiles and ranges of samples, one of them stopped, merged"
 "$DSPHERE" render planet.pbrt --quiet -o whole.exr --reproducible --spp 2000
 "$farm" planet.pbrt -o picture.exr --tiles 2 --spp 2000 --samples 2 -- --reproducible
-kill_one "$farm --task" TERM
+stop_one "$DSPHERE render planet.pbrt"
 await_jobs || fail "the picture's jobs do not end"
 grep --quiet interrupted picture.parts/*.log || fail "no task was stopped"
 finished picture.parts COMPLETED || fail "the merge failed"
@@ -70,7 +70,7 @@ finished broken.parts CANCELLED || fail "the merge was not cancelled"
 [[ ! -e broken.exr ]] || fail "a broken scene was merged"
 ! grep --quiet "trying again" broken.parts/*.log || fail "a broken scene was tried again"
 failures=$(cat broken.parts/*.log | grep --count "dsphere: error: planet.pbrt:10:7: unknown shape" || true)
-((failures >= 1 && failures <= $(nproc))) || fail "the broken scene was rendered $failures times"
+((failures >= 1 && failures <= 2)) || fail "the broken scene was rendered $failures times"
 
 echo "-- by processes of this host, without Slurm"
 if command -v parallel >/dev/null; then
