@@ -85,15 +85,7 @@ MapCensus censusOf(const RawMap& map) {
 }
 
 MapCensus censusOf(const geo::LargeMap& map, const std::function<bool(double)>& progress) {
-    switch (map.kind()) {
-        case geo::SampleKind::UInt16:
-            return censusOfFile<std::uint16_t>(map, progress);
-        case geo::SampleKind::Int16:
-            return censusOfFile<std::int16_t>(map, progress);
-        case geo::SampleKind::Float32:
-            break;
-    }
-    return censusOfFile<float>(map, progress);
+    return geo::withSampleType(map.kind(), [&](auto sample) { return censusOfFile<decltype(sample)>(map, progress); });
 }
 
 }  // namespace dsphere::cli

@@ -195,14 +195,9 @@ class GdalLargeMap : public LargeMap {
     SampleKind kind() const override { return coding_.kind; }
     std::optional<int> unknownCode() const override { return coding_.unknown_code; }
     void read(int x, int y, int width, int height, void* to) const override {
-        switch (coding_.kind) {
-            case SampleKind::UInt16:
-                return readAs({x, y, width, height}, static_cast<std::uint16_t*>(to));
-            case SampleKind::Int16:
-                return readAs({x, y, width, height}, static_cast<std::int16_t*>(to));
-            case SampleKind::Float32:
-                return readAs({x, y, width, height}, static_cast<float*>(to));
-        }
+        withSampleType(coding_.kind, [&](auto sample) {
+            readAs({x, y, width, height}, static_cast<decltype(sample)*>(to));
+        });
     }
     std::string identity() const override { return identityOf(files_) + fmt::format("-{}", head_.bands[0]); }
 

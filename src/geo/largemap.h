@@ -22,6 +22,20 @@ inline int bytesOf(SampleKind kind) {
     return kind == SampleKind::Float32 ? 4 : 2;
 }
 
+/// Calls `use` with a zero of the kind's type, and returns what that returns.
+template <typename Use>
+auto withSampleType(SampleKind kind, const Use& use) {
+    switch (kind) {
+        case SampleKind::UInt16:
+            return use(std::uint16_t());
+        case SampleKind::Int16:
+            return use(std::int16_t());
+        case SampleKind::Float32:
+            break;
+    }
+    return use(float());
+}
+
 class LargeMap {
   public:
     virtual ~LargeMap() = default;

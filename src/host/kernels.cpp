@@ -1,5 +1,7 @@
 #include "host/kernel.h"
 
+#include "render/variants.h"
+
 namespace dsphere::host {
 
 // fill_MARCH_VARIANT_REAL: see CMakeLists.txt.
@@ -28,17 +30,9 @@ DECLARE_PROBE(probe_curved_double)
 
 namespace {
 
-/// One way to march: the leanest variant that knows the scene, as on a device.
-struct Variants {
-    FillTile lean, curved, paths;
-
-    FillTile of(const SceneTraits& traits) const {
-        return traits.needsPaths() ? paths : (traits.curved() ? curved : lean);
-    }
-};
-
+/// One way to march.
 struct March {
-    Variants floats, doubles;
+    VariantsOf<FillTile> floats, doubles;
 
     FillTile of(const SceneTraits& traits, Precision precision) const {
         return (precision == Precision::Float ? floats : doubles).of(traits);

@@ -166,7 +166,6 @@ void Engine::finish(const Block& block, std::size_t first, std::size_t count, co
         }
     });
     runaways_ += runaways;
-    retried_ += block.on_device->retried();
 }
 
 void Engine::traceBatches(std::size_t count, const Source& source, const Sink& sink) {

@@ -72,7 +72,6 @@ class Engine {
     }
 
     const std::vector<ShapeFrame>& shapes() const { return shapes_; }
-    std::uint64_t retried() const { return retried_; }
     /// Rays that a limit of steps ended, which is a defect of the program: they have the status Invalid.
     std::uint64_t runaways() const { return runaways_; }
 
@@ -95,7 +94,7 @@ class Engine {
     RayPipelines pipelines_;
     std::uint32_t capacity_;
     std::vector<Block> blocks_;  ///< two: one is packed and read while the device has the other
-    std::uint64_t traced_ = 0, retried_ = 0, runaways_ = 0;
+    std::uint64_t traced_ = 0, runaways_ = 0;
 };
 
 /// Whether a ray can be traced at all; others have the status Invalid.

@@ -94,8 +94,8 @@ struct MapUse {
 MapUse useOf(const PackedScene& packed, std::size_t map) {
     MapUse use;
     for (const PackedRelief& relief : packed.reliefs) {
-        if (std::size_t(relief.map) != map || packed.nodes[map]->map().ripples) continue;
-        if (packed.nodes[map]->map().tiled) continue;
+        const Heightmap& of = packed.nodes[map]->map();
+        if (std::size_t(relief.map) != map || of.ripples || of.tiled) continue;
         use.heights = use.heights || relief.filter == Filter::Bilinear;
         use.spline = use.spline || relief.filter == Filter::BSpline || relief.smooth_normals;
     }

@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
 #include <functional>
 #include <future>
 
@@ -38,16 +37,12 @@ std::uint64_t pixelsAtOnce(const gpu::StorageImage& film) {
     return std::min(std::uint64_t(film.width()) * film.height(), Pass::kMostPixels);
 }
 
-std::uint64_t listBytes(const gpu::StorageImage& film) {
-    return sizeof(layout::RetryHead) + pixelsAtOnce(film) * sizeof(layout::RetryPixel);
-}
-
-std::vector<gpu::Resource> bindAll(const DeviceScene& scene, const gpu::StorageImage& film, const gpu::Buffer& list,
-                                   const gpu::Buffer& absent) {
+std::vector<gpu::Resource> bindAll(const DeviceScene& scene, const gpu::StorageImage& film,
+                                   const Leftovers& leftovers) {
     std::vector<gpu::Resource> resources = scene.resources();
     resources.push_back(&film);
-    resources.push_back(&list);
-    resources.push_back(&absent);
+    resources.push_back(&leftovers.retryList());
+    resources.push_back(&leftovers.absentList());
     return resources;
 }
 
@@ -104,10 +99,8 @@ std::future<void> warmAhead(gpu::Device& device, const SceneTraits& traits, cons
 Pass::Pass(gpu::Device& device, PassPipelines& pipelines, const DeviceScene& device_scene,
            const gpu::StorageImage& film)
     : pipelines_(pipelines),
-      retry_list_(device, gpu::Buffer::Usage::Storage, gpu::Buffer::Place::Device, listBytes(film), "retry list"),
-      head_(device, gpu::Buffer::Usage::Staging, gpu::Buffer::Place::Host, sizeof(layout::RetryHead), "retry head"),
-      absent_(device, device_scene.tiles(), pixelsAtOnce(film)),
-      set_(device, pipelines.first(), bindAll(device_scene, film, retry_list_, absent_.buffer()), "render"),
+      leftovers_(device, device_scene.tiles(), pixelsAtOnce(film)),
+      set_(device, pipelines.first(), bindAll(device_scene, film, leftovers_), "render"),
       batch_(device, "render") {
     warmUp();
 }
@@ -119,8 +112,7 @@ void Pass::warmUp() {
         batch_.push(layout::RenderParams{});
         batch_.dispatch(1, 1, 1);
     };
-    batch_.write(retry_list_, &kEmptyRetryList, sizeof(kEmptyRetryList));
-    absent_.reset(batch_);
+    leftovers_.reset(batch_);
     dispatchNothing(pipelines_.first());
     batch_.submit();
     for (const gpu::ComputePipeline* later : {pipelines_.full(), pipelines_.listed()}) {
@@ -132,40 +124,14 @@ void Pass::warmUp() {
 
 double Pass::run(std::span<const layout::RenderParams> tiles) {
     if (tiles.empty()) return 0.0;
-    batch_.write(retry_list_, &kEmptyRetryList, sizeof(kEmptyRetryList));
-    absent_.reset(batch_);
+    leftovers_.reset(batch_);
     batch_.bind(pipelines_.first(), set_);
     for (const layout::RenderParams& tile : tiles) {
         batch_.push(tile);
         batch_.dispatch(groups(tile.tile_x1 - tile.tile_x, pipelines_.columns()),
                         groups(tile.tile_y1 - tile.tile_y, GROUP_SIZE_Y), 1);
     }
-    double seconds = finish(tiles.front());
-    absent_.settle([&](std::uint32_t count) {
-        batch_.write(retry_list_, &kEmptyRetryList, sizeof(kEmptyRetryList));
-        batch_.bind(*pipelines_.listed(), set_);
-        batch_.push(tiles.front());
-        const std::uint32_t group_count = groups(int(count), GROUP_SIZE_X * GROUP_SIZE_Y);
-        batch_.dispatch(std::min(group_count, std::uint32_t(RETRY_ROW)), groups(int(group_count), RETRY_ROW), 1);
-        seconds += finish(tiles.front());
-    });
-    return seconds;
-}
-
-// The pixels that the dispatches recorded so far leave; then runs all.
-double Pass::finish(const layout::RenderParams& params) {
-    if (const gpu::ComputePipeline* full = pipelines_.full()) {
-        batch_.bind(*full, set_);
-        batch_.push(params);
-        batch_.dispatchIndirect(retry_list_);
-    }
-    batch_.copy(retry_list_, head_, sizeof(layout::RetryHead));
-    const double seconds = batch_.submit();
-    head_.invalidate();
-    layout::RetryHead head;
-    std::memcpy(&head, head_.mapped().data(), sizeof(head));
-    retried_ += head.count;
-    return seconds;
+    return leftovers_.run(batch_, set_, {pipelines_.full(), pipelines_.listed()}, tiles.front());
 }
 
 }  // namespace dsphere

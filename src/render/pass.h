@@ -1,10 +1,9 @@
 #pragma once
 
-#include "gpu/buffer.h"
 #include "gpu/commands.h"
 #include "gpu/pipeline.h"
-#include "render/absentlist.h"
 #include "render/devicescene.h"
+#include "render/leftovers.h"
 #include "render/marchpipeline.h"
 
 #include <future>
@@ -61,7 +60,7 @@ class Pass {
     /// Renders the tiles, one RenderParams each, of at most kMostPixels together; returns the device's seconds.
     double run(std::span<const layout::RenderParams> tiles);
     /// Pixels that were done again, so far.
-    std::uint64_t retried() const { return retried_; }
+    std::uint64_t retried() const { return leftovers_.retried(); }
     /// PassPipelines::columns().
     int columns() const { return pipelines_.columns(); }
     /// PassPipelines::pixel_seconds.
@@ -69,15 +68,11 @@ class Pass {
 
   private:
     void warmUp();
-    double finish(const layout::RenderParams& params);
 
     PassPipelines& pipelines_;
-    gpu::Buffer retry_list_;  ///< RetryHead, then pixels
-    gpu::Buffer head_;        ///< the head, for the host
-    AbsentList absent_;
+    Leftovers leftovers_;
     gpu::BindingSet set_;
     gpu::Batch batch_;
-    std::uint64_t retried_ = 0;
 };
 
 }  // namespace dsphere

@@ -15,8 +15,6 @@
 #include "shaders/query_planet_full_curved.spv.h"
 #include "shaders/query_planet_full_paths.spv.h"
 
-#include <cstring>
-
 namespace dsphere {
 
 namespace {
@@ -28,6 +26,7 @@ const Shaders kFull = {{kSpirv_query_full, kSpirv_query_full_curved, kSpirv_quer
                        {kSpirv_query_planet_full, kSpirv_query_planet_full_curved, kSpirv_query_planet_full_paths}};
 
 constexpr std::uint32_t kGroup = GROUP_SIZE_X * GROUP_SIZE_Y;
+
 std::uint32_t planesOf(const RayWishes& wishes) {
     return (wishes.lit ? 1u << PLANE_LIT : 0u) | (wishes.colour ? 7u << PLANE_R : 0u) |
            (wishes.place ? 1u << PLANE_U : 0u);
@@ -64,15 +63,12 @@ RayPipelines::RayPipelines(gpu::Device& device, const SceneTraits& traits, const
 RayBlock::RayBlock(gpu::Device& device, const RayPipelines& pipelines, const DeviceScene& scene,
                    const RayWishes& wishes, std::uint32_t objects, std::uint32_t capacity)
     : pipelines_(pipelines),
-      absent_(device, scene.tiles(), capacity),
+      leftovers_(device, scene.tiles(), capacity),
       rays_(hostBuffer(device, std::uint64_t(capacity) * objects * sizeof(layout::QueryRay), "rays")),
       hits_(hostBuffer(device, capacity * sizeof(layout::QueryHit), "answers")),
       looks_(hostBuffer(device, (wishes.looks() ? capacity : 1u) * sizeof(layout::QueryLook), "looks")),
-      retry_list_(device, gpu::Buffer::Usage::Storage, gpu::Buffer::Place::Device,
-                  sizeof(layout::RetryHead) + capacity * sizeof(layout::RetryPixel), "rays to retry"),
-      head_(device, gpu::Buffer::Usage::Staging, gpu::Buffer::Place::Host, sizeof(layout::RetryHead), "retry head"),
-      set_(device, pipelines.first(), bindAll(scene, {&rays_, &retry_list_, &absent_.buffer(), &hits_, &looks_}),
-           "query"),
+      set_(device, pipelines.first(),
+           bindAll(scene, {&rays_, &leftovers_.retryList(), &leftovers_.absentList(), &hits_, &looks_}), "query"),
       batch_(device, "query") {}
 
 std::span<layout::QueryRay> RayBlock::rays() {
@@ -91,38 +87,13 @@ void RayBlock::trace(std::uint32_t count, std::uint32_t first, std::uint32_t see
     if (count == 0) return;
     rays_.flush();
     const layout::QueryParams params = {.count = count, .first = first, .seed = seed, .pad0 = 0};
-    retried_ = 0;
-    batch_.write(retry_list_, &kEmptyRetryList, sizeof(kEmptyRetryList));
-    absent_.reset(batch_);
+    leftovers_.reset(batch_);
     batch_.bind(pipelines_.first(), set_);
     batch_.push(params);
     batch_.dispatch((count + kGroup - 1) / kGroup, 1, 1);
-    finish(params);
-    absent_.settle([&](std::uint32_t listed) {
-        batch_.write(retry_list_, &kEmptyRetryList, sizeof(kEmptyRetryList));
-        batch_.bind(*pipelines_.listed(), set_);
-        batch_.push(params);
-        const std::uint32_t group_count = (listed + kGroup - 1) / kGroup;
-        batch_.dispatch(std::min(group_count, std::uint32_t(RETRY_ROW)), (group_count + RETRY_ROW - 1) / RETRY_ROW, 1);
-        finish(params);
-    });
+    leftovers_.run(batch_, set_, {pipelines_.full(), pipelines_.listed()}, params);
     hits_.invalidate();
     looks_.invalidate();
-}
-
-// The rays that the dispatch before leaves; then runs both.
-void RayBlock::finish(const layout::QueryParams& params) {
-    if (const gpu::ComputePipeline* full = pipelines_.full()) {
-        batch_.bind(*full, set_);
-        batch_.push(params);
-        batch_.dispatchIndirect(retry_list_);
-    }
-    batch_.copy(retry_list_, head_, sizeof(layout::RetryHead));
-    batch_.submit();
-    head_.invalidate();
-    layout::RetryHead head;
-    std::memcpy(&head, head_.mapped().data(), sizeof(head));
-    retried_ += head.count;
 }
 
 }  // namespace dsphere

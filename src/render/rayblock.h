@@ -3,8 +3,8 @@
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
 #include "gpu/pipeline.h"
-#include "render/absentlist.h"
 #include "render/devicescene.h"
+#include "render/leftovers.h"
 #include "render/narrow.h"
 
 #include <algorithm>
@@ -65,17 +65,13 @@ class RayBlock {
     /// Of the last trace.
     std::span<const layout::QueryHit> hits() const;
     std::span<const layout::QueryLook> looks() const;
-    std::uint32_t retried() const { return retried_; }
 
   private:
-    void finish(const layout::QueryParams& params);
-
     const RayPipelines& pipelines_;
-    AbsentList absent_;
-    gpu::Buffer rays_, hits_, looks_, retry_list_, head_;
+    Leftovers leftovers_;
+    gpu::Buffer rays_, hits_, looks_;
     gpu::BindingSet set_;
     gpu::Batch batch_;
-    std::uint32_t retried_ = 0;
 };
 
 }  // namespace dsphere

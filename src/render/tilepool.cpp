@@ -67,10 +67,10 @@ TilePool::Layout TilePool::layoutOf(const gpu::Device& device, const PackedScene
         layout.table_rows += map.down;
         tiles += std::uint32_t(map.table.size());
     }
-    const std::uint64_t bytes = std::uint64_t(layout.words) * std::uint64_t(layout.side() + 1) * 4;
     const std::uint64_t whole = packed.memory_limit > 0 ? packed.memory_limit : device.limits().memory_heap_size;
     const std::uint64_t room = std::min(whole / 2, device.limits().max_allocation_size / 8 * 7);
-    const std::uint64_t slots = std::min<std::uint64_t>(tiles, std::max<std::uint64_t>(room / bytes, kLeastSlots));
+    const std::uint64_t slots =
+        std::min<std::uint64_t>(tiles, std::max<std::uint64_t>(room / layout.tileBytes(), kLeastSlots));
     layout.slots_x = int(std::min<std::uint64_t>(slots, kSlotsAcross));
     layout.slots_y = int(std::min<std::uint64_t>((slots + kSlotsAcross - 1) / kSlotsAcross, kSlotsDown));
     const std::uint64_t of_layer = std::uint64_t(layout.slots_x) * std::uint64_t(layout.slots_y);
@@ -90,8 +90,8 @@ TilePool::TilePool(gpu::Device& device, Layout layout)
 }
 
 void TilePool::place(layout::MapData& data, int index) const {
-    const auto found = std::ranges::find(maps_, index, &Map::index);
-    if (found == maps_.end()) return;
+    const auto found = std::ranges::find(layout_.maps, index, &Map::index);
+    if (found == layout_.maps.end()) return;
     data.tile_shift = layout_.shift;
     data.table_y = found->table_y;
     data.tiles_y = layout_.table_rows;
@@ -100,12 +100,8 @@ void TilePool::place(layout::MapData& data, int index) const {
     data.samples = samplesOf(found->map->tiled->kind());
 }
 
-std::uint64_t TilePool::tileBytes() const {
-    return std::uint64_t(layout_.words) * std::uint64_t(layout_.side() + 1) * 4;
-}
-
 TilePool::Map& TilePool::mapOf(std::uint32_t tile) {
-    const auto after = std::ranges::upper_bound(maps_, tile, {}, &Map::first_tile);
+    const auto after = std::ranges::upper_bound(layout_.maps, tile, {}, &Map::first_tile);
     return *(after - 1);
 }
 
@@ -140,7 +136,7 @@ void TilePool::uploadTile(std::uint32_t slot, const std::vector<std::uint32_t>& 
 }
 
 void TilePool::uploadTables() {
-    for (const Map& map : maps_)
+    for (const Map& map : layout_.maps)
         image_.upload(0, 0, std::uint32_t(map.table_y), std::uint32_t(map.across), std::uint32_t(map.down),
                       map.table.data());
 }

@@ -23,7 +23,7 @@ class TilePool {
     TilePool(gpu::Device& device, const PackedScene& packed);
 
     const gpu::StorageImage& image() const { return image_; }
-    bool empty() const { return maps_.empty(); }
+    bool empty() const { return layout_.maps.empty(); }
     /// What is said of tiles of the map at an index of PackedScene::nodes, if it is such a map.
     void place(layout::MapData& data, int map) const;
 
@@ -36,7 +36,7 @@ class TilePool {
 
     std::uint32_t slots() const { return std::uint32_t(slots_.size()); }
     std::uint64_t loads() const { return loads_; }  ///< tiles read so far
-    std::uint64_t tileBytes() const;
+    std::uint64_t tileBytes() const { return layout_.tileBytes(); }
 
     static constexpr std::uint32_t kLeastSlots = 32;
 
@@ -64,6 +64,7 @@ class TilePool {
         int side() const { return 1 << shift; }
         std::uint32_t width() const;
         std::uint32_t height() const;
+        std::uint64_t tileBytes() const { return std::uint64_t(words) * std::uint64_t(side() + 1) * 4; }
     };
 
     TilePool(gpu::Device& device, Layout layout);
@@ -76,7 +77,6 @@ class TilePool {
     void uploadTables();
 
     Layout layout_;
-    std::vector<Map>& maps_ = layout_.maps;
     gpu::StorageImage image_;
     std::vector<Slot> slots_;
     std::list<std::uint32_t> order_;  ///< of slots: the one read longest ago first

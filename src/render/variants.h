@@ -9,14 +9,18 @@ namespace dsphere {
 
 using Spirv = std::span<const std::uint32_t>;
 
-/// One shader's variants, from the leanest on.
-struct Variants {
-    Spirv lean, curved, paths;
+/// A kernel's variants, from the leanest on: shaders, or functions of the host.
+template <typename Kernel>
+struct VariantsOf {
+    Kernel lean, curved, paths;
 
-    Spirv of(const SceneTraits& traits) const {
+    /// The leanest that knows the scene.
+    Kernel of(const SceneTraits& traits) const {
         return traits.needsPaths() ? paths : (traits.curved() ? curved : lean);
     }
 };
+
+using Variants = VariantsOf<Spirv>;
 
 /// One for any scene, one for a planet alone.
 struct Shaders {
@@ -24,8 +28,5 @@ struct Shaders {
 
     Spirv of(const SceneTraits& traits) const { return (traits.onePlanet() ? planet : any).of(traits); }
 };
-
-/// What the list of pixels or rays to retry starts as.
-inline constexpr layout::RetryHead kEmptyRetryList = {.groups = {0, 1, 1}, .count = 0};
 
 }  // namespace dsphere

@@ -91,17 +91,8 @@ void readRuns(const geo::LargeMap& map, const Nodata& nodata, std::vector<GapRun
 
 Gaps::Gaps(const geo::LargeMap& map, const Nodata& nodata, const SurveyProgress& progress) {
     std::vector<std::uint8_t> known(std::size_t(map.head().height), 1);
-    switch (map.kind()) {
-        case geo::SampleKind::UInt16:
-            readRuns<std::uint16_t>(map, nodata, runs_, known, unknown_, progress);
-            break;
-        case geo::SampleKind::Int16:
-            readRuns<std::int16_t>(map, nodata, runs_, known, unknown_, progress);
-            break;
-        case geo::SampleKind::Float32:
-            readRuns<float>(map, nodata, runs_, known, unknown_, progress);
-            break;
-    }
+    geo::withSampleType(
+        map.kind(), [&](auto sample) { readRuns<decltype(sample)>(map, nodata, runs_, known, unknown_, progress); });
     if (std::ranges::find(known, 1) == known.end())
         throwInvalid("every one of the {}x{} texels is unknown (nodata)", map.head().width, map.head().height);
     if (std::ranges::find(known, 0) != known.end()) row_source_ = nearestKnown(known);

@@ -281,15 +281,8 @@ class Surveyor {
 }  // namespace
 
 Survey surveyMap(const geo::LargeMap& source, const Gaps& gaps, const NodeGrid& grid, const SurveyProgress& progress) {
-    switch (source.kind()) {
-        case geo::SampleKind::UInt16:
-            return Surveyor<std::uint16_t>(source, gaps, grid).run(progress);
-        case geo::SampleKind::Int16:
-            return Surveyor<std::int16_t>(source, gaps, grid).run(progress);
-        case geo::SampleKind::Float32:
-            return Surveyor<float>(source, gaps, grid).run(progress);
-    }
-    return {};
+    return geo::withSampleType(
+        source.kind(), [&](auto sample) { return Surveyor<decltype(sample)>(source, gaps, grid).run(progress); });
 }
 
 }  // namespace dsphere

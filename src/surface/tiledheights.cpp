@@ -46,14 +46,8 @@ void TiledHeights::readAs(int column, int row, int width, int height, T* to) con
 }
 
 void TiledHeights::read(int column, int row, int width, int height, void* to) const {
-    switch (kind()) {
-        case geo::SampleKind::UInt16:
-            return readAs(column, row, width, height, static_cast<std::uint16_t*>(to));
-        case geo::SampleKind::Int16:
-            return readAs(column, row, width, height, static_cast<std::int16_t*>(to));
-        case geo::SampleKind::Float32:
-            return readAs(column, row, width, height, static_cast<float*>(to));
-    }
+    geo::withSampleType(kind(),
+                        [&](auto sample) { readAs(column, row, width, height, static_cast<decltype(sample)*>(to)); });
 }
 
 std::shared_ptr<const TiledHeights::Tile> TiledHeights::tile(int number) const {
@@ -69,22 +63,11 @@ std::shared_ptr<const TiledHeights::Tile> TiledHeights::tile(int number) const {
     auto made = std::make_shared<Tile>();
     made->samples.resize(count);
     const int column = number % across * kCacheSide, row = number / across * kCacheSide;
-    const auto readInto = [&](auto sample) {
+    geo::withSampleType(kind(), [&](auto sample) {
         std::vector<decltype(sample)> samples(count);
         readAs(column, row, kCacheSide, kCacheSide, samples.data());
         std::ranges::copy(samples, made->samples.begin());
-    };
-    switch (kind()) {
-        case geo::SampleKind::UInt16:
-            readInto(std::uint16_t());
-            break;
-        case geo::SampleKind::Int16:
-            readInto(std::int16_t());
-            break;
-        case geo::SampleKind::Float32:
-            readInto(float());
-            break;
-    }
+    });
     const std::lock_guard lock(mutex_);
     if (const auto found = places_.find(number); found != places_.end()) return found->second->second;
     tiles_.emplace_front(number, made);

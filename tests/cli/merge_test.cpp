@@ -2,6 +2,7 @@
 
 #include "image/picture.h"
 #include "tests/cli/fixture.h"
+#include "tests/cli/pictures.h"
 
 #include <csignal>
 
@@ -31,11 +32,9 @@ class MergeTest : public CliTest {
     /// All but the time that it took.
     void expectSamePicture(const std::string& a, const std::string& b) const {
         const Image one = readExr(path(a)), other = readExr(path(b));
-        ASSERT_EQ(one.channels.size(), other.channels.size());
         EXPECT_EQ(one.data, other.data);
         EXPECT_EQ(one.display, other.display);
-        for (const Channel& channel : one.channels)
-            EXPECT_EQ(channel.pixels, other.at(channel.name).pixels) << channel.name;
+        expectSameChannels(one, other);
         Metadata header = readExrMetadata(path(a)), other_header = readExrMetadata(path(b));
         EXPECT_EQ(header.erase("renderTimeSeconds"), other_header.erase("renderTimeSeconds"));
         EXPECT_EQ(header, other_header);

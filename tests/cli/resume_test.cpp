@@ -2,6 +2,7 @@
 
 #include "image/picture.h"
 #include "tests/cli/fixture.h"
+#include "tests/cli/pictures.h"
 
 #include <csignal>
 
@@ -27,10 +28,8 @@ class ResumeTest : public CliTest {
     }
     void expectSamePicture(const std::string& a, const std::string& b) const {
         const Image one = readExr(path(a)), other = readExr(path(b));
-        ASSERT_EQ(one.channels.size(), other.channels.size());
         EXPECT_EQ(one.data, other.data);
-        for (const Channel& channel : one.channels)
-            EXPECT_EQ(channel.pixels, other.at(channel.name).pixels) << channel.name;
+        expectSameChannels(one, other);
     }
     /// Stops a render of hours at its first line of progress.
     Outcome interrupt(int signal, Words options) {
