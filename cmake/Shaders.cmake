@@ -3,10 +3,11 @@
 find_program(GLSLANG glslangValidator REQUIRED)
 find_program(SPIRV_OPT spirv-opt REQUIRED)
 
-# dsphere_shader_variant(target name shader.comp [MACRO=VALUE...]): the same of one shader, compiled with macros. Optimized
-# here, once, and not by every driver at every start: lavapipe then takes a fifth of the time.
+# dsphere_shader_variant(target name shader.comp [folder...]): the same of one shader, whose includes are looked for in those
+# folders of shaders/ as well. Optimized here, once, and not by every driver at every start: lavapipe then takes a fifth of
+# the time.
 function(dsphere_shader_variant target name shader)
-    list(TRANSFORM ARGN PREPEND -D OUTPUT_VARIABLE macros)
+    list(TRANSFORM ARGN PREPEND -I${PROJECT_SOURCE_DIR}/shaders/ OUTPUT_VARIABLE folders)
     cmake_path(ABSOLUTE_PATH shader BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/shaders OUTPUT_VARIABLE source)
     set(folder ${CMAKE_BINARY_DIR}/generated/shaders)
     set(spirv ${folder}/${name}.spv)
@@ -14,7 +15,7 @@ function(dsphere_shader_variant target name shader)
     add_custom_command(
         OUTPUT ${spirv}
         COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
-        COMMAND ${GLSLANG} --quiet --target-env vulkan1.1 -I${PROJECT_SOURCE_DIR}/shaders ${macros}
+        COMMAND ${GLSLANG} --quiet --target-env vulkan1.1 -I${PROJECT_SOURCE_DIR}/shaders ${folders}
                 --depfile ${spirv}.d -o ${spirv} ${source}
         DEPENDS ${source}
         DEPFILE ${spirv}.d
@@ -37,4 +38,27 @@ function(dsphere_shaders target)
         get_filename_component(name ${shader} NAME_WE)
         dsphere_shader_variant(${target} ${name} ${shader})
     endforeach()
+endfunction()
+
+# What scenes hold has three variants of the kernel, from the leanest on: bilinear surfaces pay nothing for splines, ripples
+# and smooth normals, nor do Lambert's materials under distant and point lights for other ones, paths and meshes. On the
+# device (src/render) and on the host (src/host) alike.
+set(DSPHERE_VARIANTS lean curved paths)
+set(DSPHERE_VARIANT_lean patch_bilinear shade_lambert)
+set(DSPHERE_VARIANT_curved patch_curved shade_lambert)
+set(DSPHERE_VARIANT_paths patch_curved shade_paths)
+
+# dsphere_shader_variants(target name shader.comp [folder...]): all three, and the header shaders/<name>.variants.h with them
+# as `kVariants_<name>`.
+function(dsphere_shader_variants target name shader)
+    set(includes "")
+    set(arrays "")
+    foreach(variant ${DSPHERE_VARIANTS})
+        dsphere_shader_variant(${target} ${name}_${variant} ${shader} ${ARGN} ${DSPHERE_VARIANT_${variant}})
+        string(APPEND includes "#include \"shaders/${name}_${variant}.spv.h\"\n")
+        list(APPEND arrays kSpirv_${name}_${variant})
+    endforeach()
+    list(JOIN arrays ", " arrays)
+    file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/shaders/${name}.variants.h
+         CONTENT "#pragma once\n#include \"render/variants.h\"\n${includes}namespace dsphere {\nconst Variants kVariants_${name} = {${arrays}};\n}\n")
 endfunction()

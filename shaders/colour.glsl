@@ -106,7 +106,6 @@ vec3 imageColour(const ObjectData o, const vec3 p) {
     return clamp(vec3(o.texture_scale) * colour, vec3(real(0)), vec3(real(1)));
 }
 
-#ifdef WITH_PATHS
 // At texture coordinates, which repeat; (0, 0) is the image's lower left corner.
 vec3 imageColourAt(const ObjectData o, const vec2 uv) {
     vec2 texel = vec2(uv.x - floor(uv.x), real(1) - (uv.y - floor(uv.y))) * vec2(o.image_width, o.image_height) - real(0.5);
@@ -120,7 +119,6 @@ vec3 imageColourAt(const ObjectData o, const vec2 uv) {
                       mix(imageTexel(o, x0, y1), imageTexel(o, x1, y1), t.x), t.y);
     return clamp(vec3(o.texture_scale) * colour, vec3(real(0)), vec3(real(1)));
 }
-#endif
 
 // (u, v): a displaced sphere's as its heights have them, others' as pbrt has them.
 vec2 surfaceUv(const ObjectData o, const vec3 p) {

@@ -2,16 +2,12 @@
 
 struct ObjectHit {
     bool hit, inside, exhausted;
-    bool doubtful;  // only with MARCH_FILTER: full precision must decide, the rest means nothing
+    bool doubtful;  // only of the filter: full precision must decide, the rest means nothing
     int steps;
     real clear;    // after a filter's hit or doubt: up to this s of the ray nothing is met
     vec3 p, n;     // object space, units of R; n unit, outward (disk: towards the ray's origin)
-#ifdef WITH_CURVED
     vec3 shading_n;  // n, or the normal of a smoother surface
-#endif
-#ifdef WITH_PATHS
     vec2 uv;       // of a mesh
-#endif
     real stored;   // the map's value
     real residual; // f(p)
 };
@@ -26,12 +22,8 @@ ObjectHit noHit() {
     hit.clear = -kInfinity;
     hit.p = vec3(real(0));
     hit.n = vec3(real(0));
-#ifdef WITH_CURVED
     hit.shading_n = vec3(real(0));
-#endif
-#ifdef WITH_PATHS
     hit.uv = vec2(real(0));
-#endif
     hit.stored = real(0);
     hit.residual = real(0);
     return hit;

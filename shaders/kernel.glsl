@@ -8,15 +8,7 @@ const bool kWantsLight = (kPlanes & (kColourPlanes | 7u << PLANE_ALBEDO_R | 1u <
 #include "uniforms.glsl"
 #include "sample.glsl"
 #include "shade.glsl"
-#ifdef WITH_PATHS
-#include "basis.glsl"
-#include "microfacet.glsl"
-#include "material.glsl"
-#include "light.glsl"
-#include "path.glsl"
-#else
-#include "lambert.glsl"
-#endif
+#include "lighting.glsl"
 #include "retry.glsl"
 
 bool wants(const int plane) {
@@ -79,25 +71,18 @@ struct Task {
     bool exists;
 };
 
-// How many an invocation has.
-#if defined(WITH_PATHS) && MARCH_WITH != MARCH_FULL
-const int kTasks = kTurns;
-#else
-const int kTasks = 1;
-#endif
-
-#if MARCH_WITH == MARCH_FULL
-Task findTask(const int n) {
+Task findRetryTask() {
     Task task;
     RetryPixel found = findRetry(task.exists);
     task.pixel = ivec2(found.pixel & 0xffffu, found.pixel >> 16);
     task.clear = found.clear;
     return task;
 }
-#else
+
 // An invocation's n-th. A group's lie side by side, and eight lanes in a row have 4 x 2 pixels: their rays differ less
 // than those of 8 x 1.
 Task findTask(const int n) {
+    if (kIsRetry) return findRetryTask();
     ivec2 lane = ivec2(XY(gl_LocalInvocationID));
     ivec2 within = ivec2((lane.x & 3) | (lane.y & 1) << 2, (lane.y & 6) | lane.x >> 2);
     ivec2 block = ivec2(int(gl_WorkGroupID.x) * kTasks + n, int(gl_WorkGroupID.y));
@@ -111,7 +96,6 @@ Task findTask(const int n) {
     }
     return task;
 }
-#endif
 
 uint pixelBits(const ivec2 pixel) {
     return uint(pixel.x) | uint(pixel.y) << 16;
@@ -149,65 +133,4 @@ ivec2 rasterOf(const Task task) {
     return task.pixel + ivec2(params.film_x, params.film_y);
 }
 
-#ifdef WITH_PATHS
-Rules rulesOf(const int sample_index) {
-    Rules rules;
-    rules.centre = sample_index < 0;
-    rules.shadowed = kShadows != 0;
-    rules.weighed = !rules.centre && kDiffusePaths != 0;
-    return rules;
-}
-
-Path pathOf(const Task task, const int sample_index) {
-    ivec2 raster = rasterOf(task);
-    Numbers numbers;
-    numbers.key = pixelKey(raster.x, raster.y, params.seed);
-    numbers.index = max(sample_index, 0);
-    vec2 jitter = sample_index < 0 ? vec2(real(0)) : filterPlace(numbersAt(numbers, 0, 0u));
-    return startPath(cameraSegment(vec2(raster), jitter, task.clear), numbers, task.exists);
-}
-
-// All invocations of a SIMD group pay for the longest of their paths. So each takes its next pixel as soon as a path
-// ends, and they come out even. What an invocation that has had long searches has not begun goes to the retry: the group's
-// loops together have a limit of turns, see layout.h.
-void main() {
-    readUniforms();
-    Task task = findTask(0);
-    const int sample_index = sampleOf(task);
-    Rules rules = rulesOf(sample_index);
-    Path path = pathOf(task, sample_index);
-    int steps = 0;
-    int turn = 0;
-    for (int n = 0; n < kTasks * (kMaxDepth + 1); ++n) {
-        if (path.going) {
-            extendPath(path, rules);
-            if (!path.going) {
-                steps += path.result.searches.steps;
-                finish(task, resultOf(path, rules), sample_index);
-            }
-        }
-        if (!path.going) ++turn;
-        if (kTasks > 1 && !path.going && turn < kTasks) {
-            task = findTask(turn);
-            path = pathOf(task, sample_index);
-            if (path.going && steps > TURN_STEPS) {
-                leaveForRetry(task.pixel, task.clear);
-                path.going = false;
-            }
-        }
-        if (turn == kTasks) break;
-    }
-}
-#else
-void main() {
-    readUniforms();
-    Task task = findTask(0);
-    if (!task.exists) return;
-    const int sample_index = sampleOf(task);
-    ivec2 raster = rasterOf(task);
-    vec2 jitter = vec2(real(0));
-    if (kWantsColour && sample_index >= 0) jitter = samplePosition(raster.x, raster.y, sample_index, params.seed);
-    Gathered result = gatherDirect(cameraSegment(vec2(raster), jitter, task.clear));
-    finish(task, result, sample_index);
-}
-#endif
+#include "main.glsl"

@@ -24,7 +24,7 @@ using uint = std::uint32_t;
 #define BINDING_MATERIALS 3
 #define BINDING_TRIANGLES 4
 #define BINDING_RAMPS 5
-#define BINDING_TABLES 6   // floats: what WITH_PATHS looks up (PathTables of the host)
+#define BINDING_TABLES 6   // floats: what shade_paths looks up (PathTables of the host)
 #define BINDING_HEIGHTS 7  // r32f array: stored map values, pole rows included
 #define BINDING_BOUNDS 8   // r32f array: squared radii, the cube-map pyramids
 // rgba32f: sine and cosine of each cell's west (north) edge, then what their rounding left; the same of the centres of
@@ -35,12 +35,12 @@ using uint = std::uint32_t;
 #define BINDING_TILES 12    // r32ui array: the heights of maps in tiles, and where their tiles lie
 #define BINDING_FILM 13     // r32ui array: one layer a plane (probe.comp: the rays)
 #define BINDING_HITS 14     // probe.comp: the answers
-#define BINDING_RETRY 14    // render.comp, query.comp: the pixels or rays that FILTER leaves to FULL
+#define BINDING_RETRY 14    // render.comp, query.comp: the pixels or rays that search_filter leaves to search_full
 #define BINDING_ABSENT 15   // render.comp, query.comp: those that wait for a tile
 #define BINDING_ANSWERS 16  // query.comp: a QueryHit per ray
 #define BINDING_LOOKS 17    // query.comp: a QueryLook per ray, if PLANE_R or PLANE_U is asked for
 
-// ONE_PLANET knows what SPEC_OBJECT_COUNT, SPEC_KINDS and SPEC_ONLY_ would tell.
+// scene_planet knows what SPEC_OBJECT_COUNT, SPEC_KINDS and SPEC_ONLY_ would tell.
 #define SPEC_MARCHER 0
 #define SPEC_OBJECT_COUNT 1
 #define SPEC_LIGHT_COUNT 2
@@ -50,8 +50,8 @@ using uint = std::uint32_t;
 #define SPEC_THRESHOLD 6  // float; naive, lipschitz: a hit where |p| - r falls under it, units of R
 #define SPEC_STRIDE 7     // float; lipschitz: the share of |p| - r that no step exceeds
 #define SPEC_DETAIL 8     // float; exact: pixels that a level of detail may be off, 0: none is used
-#define SPEC_SURFACES 9   // bit per SURFACE_ that the scene holds; read by the variants WITH_CURVED alone
-// Of the next nine, the variants without WITH_PATHS read SPEC_LIGHT_KINDS alone.
+#define SPEC_SURFACES 9   // bit per SURFACE_ that the scene holds; read by patch_curved alone
+// Of the next nine, shade_lambert reads SPEC_LIGHT_KINDS alone.
 #define SPEC_MATERIALS 10      // bit per MATERIAL_ that the scene holds
 #define SPEC_LIGHT_KINDS 11    // bit per LIGHT_ that the scene holds
 #define SPEC_CHECKERBOARDS 12  // 1 if an object has one
@@ -66,10 +66,10 @@ using uint = std::uint32_t;
 #define SPEC_RETRY_STRIDE 21    // invocations from one retried pixel to the next: their rays have nothing in common
 #define SPEC_ONLY_DISPLACED 22  // the scene's only displaced sphere, by its index; -1: it has none or several
 #define SPEC_ONLY_PLAIN 23      // the same of all other objects
-#define SPEC_TURNS 24           // pixels that an invocation takes, one after the other; WITH_PATHS alone
-#define SPEC_HIDE_DISTANCE 25   // 1: camera rays that miss see no infinite light; WITH_PATHS alone
+#define SPEC_TURNS 24           // pixels that an invocation takes, one after the other; shade_paths alone
+#define SPEC_HIDE_DISTANCE 25   // 1: camera rays that miss see no infinite light; shade_paths alone
 #define SPEC_TILES 26           // 1: the scene has a map in tiles
-#define SPEC_LISTED 27          // 1: FILTER takes its pixels or rays from the list at BINDING_ABSENT
+#define SPEC_LISTED 27          // 1: search_filter takes its pixels or rays from the list at BINDING_ABSENT
 #define SPEC_COUNT 28
 
 #define MARCHER_EXACT 0
@@ -77,26 +77,17 @@ using uint = std::uint32_t;
 #define MARCHER_NAIVE_SHELL 2  // the same, started at the shell
 #define MARCHER_LIPSCHITZ 3    // sphere tracing with a proven bound of the slope
 
-// What a variant of a shader marches with (MARCH_WITH). FILTER decides in single floats what rounding cannot change,
-// and lists the pixels where it could: they are done again with FULL, 48 bits. BOTH does that at once, ray by ray.
-// BASELINE: the marchers that are not exact. Variants, not constants: drivers would inline all of them before they drop
-// any.
-#define MARCH_FILTER 0
-#define MARCH_FULL 1
-#define MARCH_BOTH 2
-#define MARCH_BASELINE 3
-
 #define KIND_DISPLACED 0
 #define KIND_SPHERE 1
 #define KIND_DISK 2
-#define KIND_MESH 3  // WITH_PATHS alone
+#define KIND_MESH 3  // shade_paths alone
 
 #define MATERIAL_MATTE 0
 #define MATERIAL_CONDUCTOR 1
 #define MATERIAL_MIRROR 2
 #define MATERIAL_PLASTIC 3
 
-// The variants without WITH_PATHS know the first two alone.
+// shade_lambert knows the first two alone.
 #define LIGHT_DISTANT 0
 #define LIGHT_POINT 1
 #define LIGHT_INFINITE 2
@@ -104,7 +95,7 @@ using uint = std::uint32_t;
 #define LIGHT_SPHERE 4
 #define LIGHT_DISK 5
 
-// What a displaced sphere's heights are between the nodes. The shader variants without WITH_CURVED know the first
+// What a displaced sphere's heights are between the nodes. patch_bilinear knows the first
 // alone.
 #define SURFACE_BILINEAR 0
 #define SURFACE_SPLINE 1
@@ -215,7 +206,7 @@ struct ObjectData {
 struct LightData {
     vec4 position;  // w = 0: unit direction towards the light; w = 1: world, seen from object 0's centre
     vec4 radiance;  // rgb: irradiance (distant), intensity (point), radiance (others)
-    // WITH_PATHS alone reads the rest. LIGHT_DISK: world vectors as long as its radius along its own x and y, and its
+    // shade_paths alone reads the rest. LIGHT_DISK: world vectors as long as its radius along its own x and y, and its
     // unit normal. LIGHT_IMAGE: the rows of world -> light.
     vec4 x_axis, y_axis, z_axis;
     int kind, object;     // LIGHT_; the object that shines, -1: none
@@ -229,7 +220,7 @@ struct LightData {
     int table, pad0, pad1, pad2;
 };
 
-// WITH_PATHS alone. Object k's is the one at k; MAX_OBJECTS + k is its regularized() one, if SPEC_REGULARIZE asks for
+// shade_paths alone. Object k's is the one at k; MAX_OBJECTS + k is its regularized() one, if SPEC_REGULARIZE asks for
 // it.
 struct MaterialData {
     vec4 odd;          // checkerboard: rgb where the sum of the cells is odd; ObjectData::albedo is the other colour
@@ -264,7 +255,7 @@ struct MapData {
     float tan_width, tan_height, sin_width, versin_width, sin_height, versin_height, sin_cap, versin_cap;
     float least_pixel;  // length of a pixel, units of R, from which this level of detail serves, for an error of one
                         // pixel
-    // WITH_CURVED alone reads these: SURFACE_; rows of each polar cap; where node row 0 lies in the nodes image;
+    // patch_curved alone reads these: SURFACE_; rows of each polar cap; where node row 0 lies in the nodes image;
     // whether shading normals are those of the nodes; ripples: radians of the sines a column and a row.
     int surface, cap_rows, nodes_y, nodes_layer, smooth_normals;
     float phase_u, phase_v;

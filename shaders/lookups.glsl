@@ -58,11 +58,9 @@ vec4 cornersAt(const MapData map, const ivec2 cell) {
                 heightAt(map, next, cell.y + 1));
 }
 
-#ifdef WITH_CURVED
 vec4 nodeAt(const MapData map, const int column, const int row) {
     return imageLoad(nodes, ivec3(column, map.nodes_y + row, map.nodes_layer));
 }
-#endif
 
 // Levels above the finest lie side by side below it, each face in 1.5 side rows.
 int faceRow(const MapData map, const int axis, const real sign_of_face) {

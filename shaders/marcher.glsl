@@ -2,18 +2,16 @@
 #include "lookups.glsl"
 #include "numeric.glsl"
 #include "surface.glsl"
-#ifdef WITH_CURVED
-#include "curved.glsl"
-#endif
+#include "patch.glsl"
 #include "ray.glsl"
 #include "frame.glsl"
 #include "walk.glsl"
 #include "march.glsl"
 #include "filter.glsl"
-#ifdef WITH_CURVED
-#include "curvedstroll.glsl"
-#endif
 #include "hit.glsl"
 #include "naive.glsl"
+#include "displaced.glsl"
+#include "search.glsl"
+#include "scope.glsl"
 #include "objects.glsl"
 #include "colour.glsl"

@@ -1,22 +1,16 @@
-// One object's ray and hit: from camera or surface to object space, and back to world. Expects march.glsl, naive.glsl
-// filter.glsl and the constants kMarcher and kKinds (a bit per KIND_ of the scene: what no object needs is compiled away).
-
-#ifndef MARCH_WITH
-#define MARCH_WITH MARCH_BOTH
-#endif
+// One object's ray and hit: from camera or surface to object space, and back to world. Expects search.glsl, scope.glsl and
+// the constant kKinds (a bit per KIND_ of the scene: what no object needs is compiled away).
 
 // x and y count pixels from the object's anchor, to the pixel's centre; the jitter of a sample within the pixel needs no
 // more than a float's bits, and the filter as a whole none.
 Pair cameraValue(const real base, const real base_lo, const real step_x, const real step_x_lo, const real step_y,
                  const real step_y_lo, const vec2 pixel, const vec2 jitter) {
-#if MARCH_WITH == MARCH_FILTER || MARCH_WITH == MARCH_BASELINE
     vec2 place = pixel + jitter;
-    return makePair(base + (place.x * (step_x + step_x_lo) + (place.y * (step_y + step_y_lo) + base_lo)), real(0));
-#else
+    if (kSingleFloats)
+        return makePair(base + (place.x * (step_x + step_x_lo) + (place.y * (step_y + step_y_lo) + base_lo)), real(0));
     real rest = base_lo + (jitter.x * step_x + jitter.y * step_y);
     return pairLinear(makePair(base, rest), pixel.x, makePair(step_x, step_x_lo), pixel.y,
                       makePair(step_y, step_y_lo));
-#endif
 }
 
 Ray cameraRay(const ObjectData o, const vec2 pixel, const vec2 jitter) {
@@ -112,83 +106,6 @@ ObjectHit hitRing(const ObjectData object, const Ray ray) {
     return hit;
 }
 
-Pair basePair(const ObjectData object) {
-    return makePair(real(object.base), real(object.base_lo));
-}
-
-void takeCrossing(INOUT(ObjectHit) hit, const MapData map, const Ray ray, const Crossing crossing, const ivec2 cell) {
-    hit.p = crossing.p;
-    // At the very centre, where only a start inside can hit, no direction is outward.
-    hit.n = dot(crossing.gradient, crossing.gradient) > real(0) ? normalize(crossing.gradient) : -ray.d;
-    hit.residual = crossing.at.g;
-    hit.stored = patchValue(fetchPatch(map, real(1), cell), crossing.at.fu, crossing.at.fv);
-    hit.steps += 4;
-}
-
-#ifdef WITH_CURVED
-// The B-spline's normal at a hit of the bilinear surface, if the object asks for it.
-vec3 smoothNormal(const ObjectData object, const MapData map, const Crossing crossing, const ivec2 cell,
-                  const vec3 normal) {
-    if (!sceneHasSurface(SURFACE_SMOOTH_NORMALS) || map.smooth_normals == 0) return normal;
-    Patch quad = splinePatch(map, real(object.scale), cell);
-    vec3 gradient = patchGradient(map, quad, crossing.at, cell.y, crossing.p);
-    return dot(gradient, gradient) > real(0) ? normalize(gradient) : normal;
-}
-#endif
-
-ObjectHit hitDisplacedFiltered(const ObjectData object, const MapData map, const Ray ray) {
-    ObjectHit hit = noHit();
-    Filtered answer = filterMarch(ray, map, real(object.base), real(object.scale), real(object.shell_squared));
-    hit.hit = answer.hit;
-    hit.inside = answer.inside;
-    hit.doubtful = answer.doubtful;
-    hit.steps = answer.steps;
-    hit.clear = clearUntil(answer);
-    if (answer.hit) {
-        Crossing crossing = filterRefine(ray, map, basePair(object), real(object.scale), answer);
-        takeCrossing(hit, map, ray, crossing, answer.cell);
-#ifdef WITH_CURVED
-        hit.shading_n = smoothNormal(object, map, crossing, answer.cell, hit.n);
-#endif
-    }
-    return hit;
-}
-
-ObjectHit hitDisplacedFully(const ObjectData object, const MapData map, const Ray ray) {
-    ObjectHit hit = noHit();
-    Walk walk = march(ray, map, basePair(object), real(object.scale), real(object.shell_squared));
-    hit.hit = walk.hit;
-    hit.inside = walk.inside;
-    hit.exhausted = walk.exhausted;
-    hit.steps = walk.steps;
-    if (walk.hit) {
-        Crossing crossing = refine(ray, map, real(object.scale), walk);
-        takeCrossing(hit, map, ray, crossing, walk.frame.cell);
-#ifdef WITH_CURVED
-        hit.shading_n = smoothNormal(object, map, crossing, walk.frame.cell, hit.n);
-#endif
-    }
-    return hit;
-}
-
-ObjectHit hitDisplaced(const ObjectData object, const MapData map, const Ray ray) {
-    ObjectHit hit = noHit();
-    hit.doubtful = true;
-#if MARCH_WITH == MARCH_FILTER || MARCH_WITH == MARCH_BOTH
-    hit = hitDisplacedFiltered(object, map, ray);
-#endif
-#if MARCH_WITH == MARCH_FULL || MARCH_WITH == MARCH_BOTH
-    if (hit.doubtful) hit = hitDisplacedFully(object, map, ray);
-#endif
-#if MARCH_WITH == MARCH_BASELINE
-    hit = hitBaseline(object, map, ray);
-#ifdef WITH_CURVED
-    hit.shading_n = hit.n;
-#endif
-#endif
-    return hit;
-}
-
 // Of an object that is of one of the `possible` kinds.
 bool isKindAmong(const ObjectData object, const int kind, const int possible) {
     return (possible & 1 << kind) != 0 && (possible == 1 << kind || object.kind == kind);
@@ -197,10 +114,6 @@ bool isKindAmong(const ObjectData object, const int kind, const int possible) {
 bool isKind(const ObjectData object, const int kind) {
     return isKindAmong(object, kind, kKinds);
 }
-
-#ifdef WITH_PATHS
-#include "mesh.glsl"
-#endif
 
 // Which of a scene's objects are meant: displaced spheres, whose march is long, or the others.
 const int kDisplaced = 1 << KIND_DISPLACED;
@@ -220,32 +133,9 @@ ObjectHit hitObject(const ObjectData object, const MapData map, const Ray ray, c
     if ((kinds & kPlain) == 0) return hit;
     if (isKindMeant(object, KIND_SPHERE, kinds)) hit = hitUnitSphere(ray);
     if (isKindMeant(object, KIND_DISK, kinds)) hit = hitRing(object, ray);
-#ifdef WITH_PATHS
-    if (isKindMeant(object, KIND_MESH, kinds)) hit = hitMesh(object, ray);
-#endif
-#ifdef WITH_CURVED
+    if (kPaths && isKindMeant(object, KIND_MESH, kinds)) hit = hitMesh(object, ray);
     if (!isKindMeant(object, KIND_DISPLACED, kinds)) hit.shading_n = hit.n;
-#endif
     return hit;
-}
-
-// What a pixel's searches came to: whether another precision must decide, and their steps.
-struct Searches {
-    bool doubtful;
-    int steps;
-};
-
-bool displacedBlocks(const ObjectData object, const MapData map, const Ray ray, INOUT(Searches) searches) {
-#if MARCH_WITH == MARCH_BASELINE
-    return hitBaseline(object, map, ray).hit;
-#elif MARCH_WITH == MARCH_FULL
-    return march(ray, map, basePair(object), real(object.scale), real(object.shell_squared)).hit;
-#else
-    Filtered answer = filterMarch(ray, map, real(object.base), real(object.scale), real(object.shell_squared));
-    searches.doubtful = searches.doubtful || answer.doubtful;
-    searches.steps += answer.steps;
-    return answer.hit;
-#endif
 }
 
 // Any hit: no root is refined, no normal found.
@@ -255,8 +145,6 @@ bool blocks(const ObjectData object, const MapData map, const Ray ray, const int
     if ((kinds & kPlain) == 0) return blocked;
     if (isKindMeant(object, KIND_SPHERE, kinds)) blocked = hitUnitSphere(ray).hit;
     if (isKindMeant(object, KIND_DISK, kinds)) blocked = hitRing(object, ray).hit;
-#ifdef WITH_PATHS
-    if (isKindMeant(object, KIND_MESH, kinds)) blocked = hitMesh(object, ray).hit;
-#endif
+    if (kPaths && isKindMeant(object, KIND_MESH, kinds)) blocked = hitMesh(object, ray).hit;
     return blocked;
 }

@@ -8,6 +8,7 @@
 #include "absentlist.glsl"
 
 layout(push_constant) uniform Params { QueryParams pushed; };
+QueryParams params;
 
 const bool kWantsColour = (kPlanes & 7u << PLANE_R) != 0u;
 const bool kWantsPlace = (kPlanes & 1u << PLANE_U) != 0u;
@@ -16,15 +17,7 @@ const bool kWantsLight = kWantsColour || (kPlanes & 1u << PLANE_LIT) != 0u;
 #include "uniforms.glsl"
 #include "sample.glsl"
 #include "shade.glsl"
-#ifdef WITH_PATHS
-#include "basis.glsl"
-#include "microfacet.glsl"
-#include "material.glsl"
-#include "light.glsl"
-#include "path.glsl"
-#else
-#include "lambert.glsl"
-#endif
+#include "lighting.glsl"
 #include "retry.glsl"
 
 layout(local_size_x = GROUP_SIZE_X * GROUP_SIZE_Y) in;
@@ -59,38 +52,35 @@ void putLook(const uint index, const SurfacePoint point, const vec3 colour) {
     looks[index] = look;
 }
 
-Gathered gather(const Segment segment, const uint index) {
-#ifdef WITH_PATHS
-    Numbers numbers;
-    numbers.key = pixelKey(int(params.first + index), 0, params.seed);
-    numbers.index = 0;
-    Rules rules;
-    rules.centre = true;
-    rules.shadowed = true;
-    rules.weighed = false;
-    Path path = startPath(segment, numbers, true);
-    extendPath(path, rules);
-    return resultOf(path, rules);
-#else
-    return gatherDirect(segment);
-#endif
+// An invocation's ray of the list, if it `exists`; nothing is met up to `clear`.
+struct Place {
+    uint index;
+    float clear;
+    bool exists;
+};
+
+Place findPlace() {
+    Place place;
+    if (kIsRetry) {
+        RetryPixel found = findRetry(place.exists);
+        place.index = found.pixel;
+        place.clear = found.clear;
+        return place;
+    }
+    place.index = gl_GlobalInvocationID.x;
+    place.exists = place.index < params.count;
+    place.clear = -kInfinity;
+    if (kListed != 0) place.index = findListed(place.exists);
+    return place;
 }
 
 void main() {
     readUniforms();
-#if MARCH_WITH == MARCH_FULL
-    bool exists;
-    RetryPixel found = findRetry(exists);
-    uint index = found.pixel;
-    float clear = found.clear;
-#else
-    uint index = gl_GlobalInvocationID.x;
-    bool exists = index < params.count;
-    float clear = -kInfinity;
-    if (kListed != 0) index = findListed(exists);
-#endif
-    if (!exists) return;
-    Gathered result = gather(listedSegment(index, clear), index);
+    Place place = findPlace();
+    if (!place.exists) return;
+    uint index = place.index;
+    uint key = pixelKey(int(params.first + index), 0, params.seed);
+    Gathered result = gatherListed(listedSegment(index, place.clear), key);
     if (missesTile()) {
         leaveForTile(index);
         return;

@@ -8,6 +8,7 @@
 #include "absentlist.glsl"
 
 layout(push_constant) uniform Params { RenderParams pushed; };
+RenderParams params;
 layout(local_size_x = GROUP_SIZE_X, local_size_y = GROUP_SIZE_Y) in;
 layout(binding = BINDING_FILM, r32ui) uniform uimage2DArray film;
 

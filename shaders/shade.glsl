@@ -10,13 +10,9 @@ struct SurfacePoint {
     real t;
     vec3 from_first;  // position seen from object 0's centre
     vec3 position, normal;
-#ifdef WITH_CURVED
-    vec3 smooth_normal;
-#endif
-#ifdef WITH_PATHS
+    vec3 smooth_normal;  // where patches are curved
     vec3 towards;  // from the ray's start
     vec2 uv;       // of a mesh
-#endif
     vec3 object_position, start;  // object space, units of R; start: P', where secondary rays begin
     vec3 albedo;
     real h;  // height on the ramp
@@ -52,11 +48,7 @@ vec3 finiteLight(const vec3 light) {
 
 // Where light comes from a smoother surface than the true one, this is its normal.
 vec3 shadingNormal(const SurfacePoint point) {
-#ifdef WITH_CURVED
-    return point.smooth_normal;
-#else
-    return point.normal;
-#endif
+    return kCurved ? point.smooth_normal : point.normal;
 }
 
 // Whether the hit at distance t along `towards`, at `from_first` from object 0's centre, comes before the best so far. From
@@ -99,42 +91,34 @@ MapData mapOf(const int k, const int kinds, const int level) {
 
 // Where a ray starts: it is the camera's, or one of a list, or starts on a surface.
 struct Segment {
-#ifdef WITH_RAYS
-    uint index;  // in the list
-#else
-    vec2 raster, jitter;  // through a place of the picture
-#endif
+    uint index;           // of a list's ray
+    vec2 raster, jitter;  // of a camera's: through a place of the picture
     real clear;  // of a first ray with a scene's only object: up to this s nothing is met
-#ifdef WITH_PATHS
-    bool camera;        // or of the list
-    int object, level;  // that it starts on, and of whose detail
-    vec3 start;         // P', in that object's space
-    vec3 from_first;    // P, world, from object 0's centre
-    vec3 direction;     // world, unit
-#endif
+    bool camera;          // or of the list; the rest is of other rays
+    int object, level;    // that it starts on, and of whose detail
+    vec3 start;           // P', in that object's space
+    vec3 from_first;      // P, world, from object 0's centre
+    vec3 direction;       // world, unit
 };
 
 // A ray that starts on no surface, but for where it runs.
 Segment firstSegment(const real clear) {
     Segment segment;
+    segment.index = 0u;
+    segment.raster = vec2(real(0));
+    segment.jitter = vec2(real(0));
     segment.clear = clear;
-#ifdef WITH_PATHS
     segment.camera = true;
     segment.object = 0;
     segment.level = 0;
     segment.start = vec3(real(0));
     segment.from_first = vec3(real(0));
     segment.direction = vec3(real(0));
-#endif
     return segment;
 }
 
 // firstRay(), firstTowards(), firstDirection() and firstStart() of such a ray.
-#ifdef WITH_RAYS
-#include "listedray.glsl"
-#else
-#include "cameraray.glsl"
-#endif
+#include "firstray.glsl"
 
 // P' of object `from` in the space of object k.
 vec3 startFor(const int k, const ObjectData object, const int from, const vec3 start) {
@@ -143,52 +127,41 @@ vec3 startFor(const int k, const ObjectData object, const int from, const vec3 s
 }
 
 Ray segmentRay(const Segment segment, const int k, const ObjectData object) {
-#ifdef WITH_PATHS
-    if (!segment.camera)
+    if (kPaths && !segment.camera)
         return secondaryRay(startFor(k, object, segment.object, segment.start),
                             objectFromWorldVector(object, segment.direction), false);
-#endif
     return firstRay(segment, k, object);
 }
 
 // A retried first ray starts where the filter's certainty ended.
 void startClear(INOUT(Ray) ray, const Segment segment) {
-#if MARCH_WITH == MARCH_FULL
+    if (!kIsRetry) return;
     if (kObjectCount == 1 && segment.clear > ray.s_min) {
         ray.s_min = segment.clear;
         ray.may_start_inside = false;
     }
-#endif
 }
 
 // P' stands on the level that the ray before met; rays from it meet other objects' maps themselves.
 int segmentLevel(const Segment segment, const int k, const ObjectData object, const Ray ray) {
-#ifdef WITH_PATHS
-    if (!segment.camera) return k == segment.object ? segment.level : 0;
-#endif
+    if (kPaths && !segment.camera) return k == segment.object ? segment.level : 0;
     return levelFor(k, object, ray);
 }
 
 vec3 towardsHit(const Segment segment, const int k, const ObjectData object, const vec3 p, const vec3 from_first) {
-#ifdef WITH_PATHS
-    if (!segment.camera) return from_first - segment.from_first;
-#endif
+    if (kPaths && !segment.camera) return from_first - segment.from_first;
     return firstTowards(segment, k, object, p);
 }
 
 // World, unit.
 vec3 segmentDirection(const Segment segment) {
-#ifdef WITH_PATHS
-    if (!segment.camera) return segment.direction;
-#endif
+    if (kPaths && !segment.camera) return segment.direction;
     return firstDirection(segment);
 }
 
 // World, from object 0's centre.
 vec3 segmentStart(const Segment segment) {
-#ifdef WITH_PATHS
-    if (!segment.camera) return segment.from_first;
-#endif
+    if (kPaths && !segment.camera) return segment.from_first;
     return firstStart(segment);
 }
 
@@ -266,13 +239,9 @@ void considerObject(INOUT(SurfacePoint) best, const int k, const Segment segment
         best.from_first = from_first;
         best.position = worldFromObjectPoint(object, hit.p);
         best.normal = worldNormal(object, hit.n);
-#ifdef WITH_CURVED
-        best.smooth_normal = worldNormal(object, hit.shading_n);
-#endif
-#ifdef WITH_PATHS
+        best.smooth_normal = kCurved ? worldNormal(object, hit.shading_n) : best.normal;
         best.towards = towards;
         best.uv = hit.uv;
-#endif
         best.object_position = hit.p;
         best.start = hit.p + startOffset(object) * hit.n;
         best.albedo = XYZ(object.albedo);
@@ -316,35 +285,29 @@ SurfacePoint nearestHit(const Segment segment) {
 }
 
 vec2 pointUv(const SurfacePoint point) {
-#ifdef WITH_PATHS
-    if (isKind(objects[point.object], KIND_MESH)) return point.uv;
-#endif
+    if (kPaths && isKind(objects[point.object], KIND_MESH)) return point.uv;
     return surfaceUv(objects[point.object], point.object_position);
 }
 
 vec3 pointImageColour(const SurfacePoint point) {
-#ifdef WITH_PATHS
-    if (isKind(objects[point.object], KIND_MESH)) return imageColourAt(objects[point.object], point.uv);
-#endif
+    if (kPaths && isKind(objects[point.object], KIND_MESH)) return imageColourAt(objects[point.object], point.uv);
     return imageColour(objects[point.object], point.object_position);
 }
 
-#ifdef WITH_PATHS
 vec3 checkerColour(const SurfacePoint point) {
     MaterialData material = materials[point.object];
     vec2 cell = floor(pointUv(point) * vec2(material.u_scale, material.v_scale));
     return mod(cell.x + cell.y, real(2)) < real(0.5) ? point.albedo : XYZ(material.odd);
 }
-#endif
 
 // What tells images and checkerboards apart is read by the hit's own index, lest a branch depend on uniform data alone: see
 // uniforms.glsl.
 vec3 albedoOf(const SurfacePoint point) {
     if (kImages != 0 && objects[point.object].image != IMAGE_NONE)
         return pointImageColour(point);
-#ifdef WITH_PATHS
-    if (kCheckerboards != 0 && materials[point.object].checkerboard != 0) return checkerColour(point);
-#endif
+    if (kPaths) {
+        if (kCheckerboards != 0 && materials[point.object].checkerboard != 0) return checkerColour(point);
+    }
     if (point.ramp < 0) return point.albedo;
     real place = clamp(point.h, real(0), real(1)) * real(RAMP_POINTS - 1);
     int k = min(int(place), RAMP_POINTS - 2);
@@ -386,11 +349,9 @@ bool isShaded(const SurfacePoint point, const vec3 place, const bool ends, const
     return shaded;
 }
 
-#ifdef WITH_CURVED
 // A facet that turns away from the light is dark however its shading normal stands: fades to that instead of breaking off
 // (Chiang, Li and Burley 2019, "Taming the shadow terminator"). 1 where both normals are one.
 real terminatorShare(const real cosine, const real shading_cosine, const real between) {
     real share = clamp(cosine / max(shading_cosine * between, real(1e-6)), real(0), real(1));
     return share * (real(1) + share * (real(1) - share));
 }
-#endif

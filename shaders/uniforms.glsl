@@ -3,15 +3,11 @@
 // some 28 instructions a float.
 // Whoever uses them must have no branch that depends on them alone: lavapipe would set their values into a copy of the
 // shader, and compile that, at worst for every dispatch. So isKind() and its like ask the specialization constants first.
+// Expects `params`, the parameters that are `pushed`.
 
 const int kMainObject = kObjectCount == 1 || kOnlyDisplaced < 0 ? 0 : kOnlyDisplaced;
 const int kPlainObject = kOnlyPlain < 0 ? 0 : kOnlyPlain;
 
-#ifdef WITH_RAYS
-QueryParams params;
-#else
-RenderParams params;
-#endif
 ObjectData first_object;  // whose centre stands for the world's origin
 ObjectData main_object;   // the scene's only object, or the only displaced one
 MapData main_map;         // its, finest level

@@ -108,37 +108,7 @@ Chord makeChord(const real g, const real slope, const real bend, const real cubi
     return chord;
 }
 
-#ifdef WITH_CURVED
-// Beyond the parabola through three points is at most 1 / (72 sqrt 3) of the third derivative; its slope is off by a
-// twelfth of that, which matters where the chord starts on the surface.
-Chord makeCurvedChord(const real g, const real slope, const real bend, const real twist) {
-    Chord chord = makeChord(g, slope, bend, real(0), real(0));
-    chord.miss = real(0.00802) * twist;
-    bool rises = slope > real(0.0834) * twist;
-    chord.lowest = g > chord.miss || rises ? chord.lowest : min(chord.lowest, chord.miss);
-    return chord;
-}
-
-Chord solveChord(const PatchPoint start, const PatchPoint middle, const PatchPoint end, const Patch quad) {
-    real bend = real(2) * (start.g + end.g - real(2) * middle.g);
-    vec2 places = vec2(start.fu, start.fv);
-    vec2 bends = real(2) * (places + vec2(end.fu, end.fv) - real(2) * vec2(middle.fu, middle.fv));
-    vec2 rate = vec2(end.fu, end.fv) - places - bends;
-    return makeCurvedChord(start.g, end.g - start.g - bend, bend, chordTwist(patchBends(quad), rate, bends));
-}
-#else
-// The patch's twist makes the terms beyond the parabola, by the bends of fu and fv along the chord.
-Chord solveChord(const PatchPoint start, const PatchPoint middle, const PatchPoint end, const Patch quad) {
-    real twist = quad.d;
-    real bend = real(2) * (start.g + end.g - real(2) * middle.g);
-    real bend_u = real(2) * (start.fu + end.fu - real(2) * middle.fu);
-    real bend_v = real(2) * (start.fv + end.fv - real(2) * middle.fv);
-    real slope_u = end.fu - start.fu - bend_u;
-    real slope_v = end.fv - start.fv - bend_v;
-    return makeChord(start.g, end.g - start.g - bend, bend, twist * (slope_u * bend_v + slope_v * bend_u),
-                     twist * bend_u * bend_v);
-}
-#endif
+#include "chord.glsl"
 
 // First root of a chord's parabola (g, slope, bend) where g >= 0, as a share of the chord.
 real parabolaRoot(const vec3 parabola) {

@@ -1,6 +1,6 @@
 // One shader variant at one precision. The build compiles this file once for each, with HOST_REAL, the names of the
-// functions that it defines (HOST_FILL, and HOST_PROBE where it has one) and the macros of the shader variant:
-// WITH_CURVED, WITH_PATHS, MARCH_WITH.
+// functions that it defines (HOST_FILL, and HOST_PROBE where it has one), and the folders of the shader variant to look
+// for its includes in.
 
 #include "host/kernel.h"
 
@@ -13,7 +13,6 @@
 // The dialect of shaders/resources.glsl.
 #define INOUT(T) T&
 #define OUT(T) T&
-#define FORWARD(declaration)
 #define XY(v) vec2(v)
 #define XYZ(v) vec3(v)
 #define ROUND_AS_FILMED(v) v = vec3(glm::tvec3<float>(v))
@@ -167,6 +166,7 @@ struct Invocation {
     AbsentHead absent = {};  // always empty, as no tile is ever absent
     std::vector<AbsentPixel> absent_pixels;
     const RenderParams& pushed;
+    RenderParams params;
     uvec3 gl_WorkGroupID = uvec3(0u), gl_LocalInvocationID = uvec3(0u);
     uint gl_LocalInvocationIndex = 0;
 
@@ -197,17 +197,17 @@ uint groupsOf(uint items, uint size) {
 void HOST_FILL(const HostScene& scene, const Specialization& specialization, const RenderParams& tile, HostFilm& film,
                std::vector<RetryPixel>& list) {
     Invocation invocation(scene, specialization, tile, film, list);
-#if MARCH_WITH == MARCH_FULL
-    invocation.retry.count = uint(list.size());
-    for (uint group = 0; group < groupsOf(uint(list.size()), GROUP_SIZE_X * GROUP_SIZE_Y); ++group)
-        invocation.runGroup(group % RETRY_ROW, group / RETRY_ROW);
-#else
+    if (invocation.kIsRetry) {
+        invocation.retry.count = uint(list.size());
+        for (uint group = 0; group < groupsOf(uint(list.size()), GROUP_SIZE_X * GROUP_SIZE_Y); ++group)
+            invocation.runGroup(group % RETRY_ROW, group / RETRY_ROW);
+        return;
+    }
     const uint width = uint(tile.tile_x1 - tile.tile_x), height = uint(tile.tile_y1 - tile.tile_y);
     list.resize(std::size_t(width) * height);
     for (uint y = 0; y < groupsOf(height, GROUP_SIZE_Y); ++y)
         for (uint x = 0; x < groupsOf(width, GROUP_SIZE_X); ++x) invocation.runGroup(x, y);
     list.resize(invocation.retry.count);
-#endif
 }
 
 #ifdef HOST_PROBE

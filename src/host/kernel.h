@@ -22,11 +22,11 @@ struct HostFilm {
     }
 };
 
-/// Fills the planes of a tile's pixels; tiles that share no pixel may be filled at once. A variant of MARCH_FILTER
-/// leaves pixels in `retry`, which one of MARCH_FULL takes; that takes nothing of the tile but the sample. Returned:
-/// how many.
-using FillTile = void (*)(const HostScene& scene, const Specialization& specialization,
+/// Fills the planes of a tile's pixels; tiles that share no pixel may be filled at once. A kernel of search_filter
+/// leaves pixels in `retry`, which one of search_full takes; that takes nothing of the tile but the sample.
+using FillFunction = void(const HostScene& scene, const Specialization& specialization,
                           const layout::RenderParams& tile, HostFilm& film, std::vector<layout::RetryPixel>& retry);
+using FillTile = FillFunction*;
 
 /// What fills a scene's pictures: `first`, then `full` (null: there is none) what it left.
 struct Kernels {
@@ -34,8 +34,9 @@ struct Kernels {
 };
 
 /// Traces rays against object 0, each into the hit of its place.
-using ProbeRays = void (*)(const HostScene& scene, const Specialization& specialization,
+using ProbeFunction = void(const HostScene& scene, const Specialization& specialization,
                            std::span<const layout::ProbeRay> rays, std::span<layout::ProbeHit> hits);
+using ProbeRays = ProbeFunction*;
 
 ProbeRays probeFor(const SceneTraits& traits, Precision precision);
 Kernels kernelsFor(const SceneTraits& traits, const MarchMethod& method, Precision precision);

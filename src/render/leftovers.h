@@ -19,7 +19,7 @@ class Leftovers {
   public:
     /// The pipelines that take them; null: there is none.
     struct Pipelines {
-        const gpu::ComputePipeline* full;    ///< MARCH_FULL, for the first list
+        const gpu::ComputePipeline* full;    ///< search_full, for the first list
         const gpu::ComputePipeline* listed;  ///< the first pipeline with SPEC_LISTED, for the second
     };
 

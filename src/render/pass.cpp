@@ -4,21 +4,11 @@
 #include "gpu/device.h"
 #include "render/devicefilm.h"
 #include "render/variants.h"
-#include "shaders/planet_filter.spv.h"
-#include "shaders/planet_filter_curved.spv.h"
-#include "shaders/planet_filter_paths.spv.h"
-#include "shaders/planet_full.spv.h"
-#include "shaders/planet_full_curved.spv.h"
-#include "shaders/planet_full_paths.spv.h"
-#include "shaders/render_baseline.spv.h"
-#include "shaders/render_baseline_curved.spv.h"
-#include "shaders/render_baseline_paths.spv.h"
-#include "shaders/render_filter.spv.h"
-#include "shaders/render_filter_curved.spv.h"
-#include "shaders/render_filter_paths.spv.h"
-#include "shaders/render_full.spv.h"
-#include "shaders/render_full_curved.spv.h"
-#include "shaders/render_full_paths.spv.h"
+#include "shaders/render_baseline.variants.h"
+#include "shaders/render_filter.variants.h"
+#include "shaders/render_full.variants.h"
+#include "shaders/render_planet_filter.variants.h"
+#include "shaders/render_planet_full.variants.h"
 
 #include <algorithm>
 #include <cassert>
@@ -46,12 +36,9 @@ std::vector<gpu::Resource> bindAll(const DeviceScene& scene, const gpu::StorageI
     return resources;
 }
 
-const Shaders kFilter = {{kSpirv_render_filter, kSpirv_render_filter_curved, kSpirv_render_filter_paths},
-                         {kSpirv_planet_filter, kSpirv_planet_filter_curved, kSpirv_planet_filter_paths}};
-const Shaders kFull = {{kSpirv_render_full, kSpirv_render_full_curved, kSpirv_render_full_paths},
-                       {kSpirv_planet_full, kSpirv_planet_full_curved, kSpirv_planet_full_paths}};
-const Variants kAnyBaseline = {kSpirv_render_baseline, kSpirv_render_baseline_curved, kSpirv_render_baseline_paths};
-const Shaders kBaseline = {kAnyBaseline, kAnyBaseline};
+const Shaders kFilter = {kVariants_render_filter, kVariants_render_planet_filter};
+const Shaders kFull = {kVariants_render_full, kVariants_render_planet_full};
+const Shaders kBaseline = {kVariants_render_baseline, kVariants_render_baseline};
 
 }  // namespace
 

@@ -12,8 +12,8 @@
 
 namespace dsphere {
 
-/// The pipelines that fill a film with the planes of one mask: MARCH_FILTER, and MARCH_FULL for the pixels that it
-/// leaves; or MARCH_BASELINE, which leaves none, as a filter without a displaced sphere leaves none.
+/// The pipelines that fill a film with the planes of one mask: search_filter, and search_full for the pixels that it
+/// leaves; or search_baseline, which leaves none, as a filter without a displaced sphere leaves none.
 class PassPipelines {
   public:
     /// `stride`: safeStride(). Returns once first() is made.

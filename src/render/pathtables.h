@@ -1,6 +1,6 @@
 #pragma once
 
-// What the shaders WITH_PATHS look up, computed in double: docs/light.md.
+// What the shaders of shade_paths look up, computed in double: docs/light.md.
 
 #include "scene/scene.h"
 #include "surface/scenemaps.h"

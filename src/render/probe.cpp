@@ -4,8 +4,8 @@
 #include "gpu/commands.h"
 #include "render/marchpipeline.h"
 #include "render/narrow.h"
-#include "shaders/probe.spv.h"
 #include "shaders/probe_curved.spv.h"
+#include "shaders/probe_lean.spv.h"
 
 namespace dsphere {
 
@@ -32,7 +32,7 @@ Probe::Probe(gpu::Device& device, const PackedScene& packed)
     : device_(device),
       device_scene_(device, packed),
       pipeline_(makeMarchPipeline(device, packed.traits, 1.0f,
-                                  packed.traits.curved() ? Spirv(kSpirv_probe_curved) : Spirv(kSpirv_probe),
+                                  packed.traits.curved() ? Spirv(kSpirv_probe_curved) : Spirv(kSpirv_probe_lean),
                                   Shader::Probe, Marcher::Exact, 0)) {}
 
 std::vector<layout::ProbeHit> Probe::trace(const std::vector<ProbeQuery>& queries) {

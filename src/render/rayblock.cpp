@@ -2,28 +2,17 @@
 
 #include "render/marchpipeline.h"
 #include "render/variants.h"
-#include "shaders/query_filter.spv.h"
-#include "shaders/query_filter_curved.spv.h"
-#include "shaders/query_filter_paths.spv.h"
-#include "shaders/query_full.spv.h"
-#include "shaders/query_full_curved.spv.h"
-#include "shaders/query_full_paths.spv.h"
-#include "shaders/query_planet_filter.spv.h"
-#include "shaders/query_planet_filter_curved.spv.h"
-#include "shaders/query_planet_filter_paths.spv.h"
-#include "shaders/query_planet_full.spv.h"
-#include "shaders/query_planet_full_curved.spv.h"
-#include "shaders/query_planet_full_paths.spv.h"
+#include "shaders/query_filter.variants.h"
+#include "shaders/query_full.variants.h"
+#include "shaders/query_planet_filter.variants.h"
+#include "shaders/query_planet_full.variants.h"
 
 namespace dsphere {
 
 namespace {
 
-const Shaders kFilter = {
-    {kSpirv_query_filter, kSpirv_query_filter_curved, kSpirv_query_filter_paths},
-    {kSpirv_query_planet_filter, kSpirv_query_planet_filter_curved, kSpirv_query_planet_filter_paths}};
-const Shaders kFull = {{kSpirv_query_full, kSpirv_query_full_curved, kSpirv_query_full_paths},
-                       {kSpirv_query_planet_full, kSpirv_query_planet_full_curved, kSpirv_query_planet_full_paths}};
+const Shaders kFilter = {kVariants_query_filter, kVariants_query_planet_filter};
+const Shaders kFull = {kVariants_query_full, kVariants_query_planet_full};
 
 constexpr std::uint32_t kGroup = GROUP_SIZE_X * GROUP_SIZE_Y;
 

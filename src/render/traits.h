@@ -16,7 +16,7 @@ struct SceneTraits {
     std::uint32_t triangles = 0;               ///< of all meshes
     int only_displaced = -1, only_plain = -1;  ///< the only shape of its kind, by its index; -1: none or several
 
-    /// What the variants WITH_PATHS alone know. Without it: Lambertian surfaces, distant and point lights, and one box
+    /// What shade_paths alone knows. Without it: Lambertian surfaces, distant and point lights, and one box
     /// as large as a pixel for a filter.
     struct Paths {
         std::uint32_t materials = 1u << MATERIAL_MATTE, light_kinds = 0;  ///< bit per MATERIAL_ and LIGHT_ in use
@@ -32,11 +32,11 @@ struct SceneTraits {
     } paths;
 
     bool operator==(const SceneTraits&) const = default;
-    /// Whether the shader variants of ONE_PLANET may be taken.
+    /// Whether the shaders of scene_planet may be taken.
     bool onePlanet() const { return objects == 1 && kinds == 1u << KIND_DISPLACED; }
-    /// Whether those WITH_CURVED are needed.
+    /// Whether those of patch_curved are needed.
     bool curved() const { return surfaces > 1u << SURFACE_BILINEAR; }
-    /// Whether those WITH_PATHS are.
+    /// Whether those of shade_paths are.
     bool needsPaths() const;
 };
 

@@ -2,7 +2,7 @@
 
 // The marcher's functions compiled as C++, once with real = float and once with real = double. A failure is then
 // told apart: reference against glsl64 (the algorithm), glsl64 against glsl32 (precision), glsl32 against the device.
-// A program that defines WITH_CURVED has the variants for splines and ripples, like the shaders.
+// A program that defines WITH_CURVED has those of patch_curved, others those of patch_bilinear.
 
 #include "shaders/layout.h"
 

@@ -1,12 +1,12 @@
 // Included once for each GLSL_REAL: see cpp_shaders.h.
 
 #define INOUT(T) T&
-#define FORWARD(declaration) declaration;
 #define precise
 
-// Each test file has its own copy of the functions, and need not call them all.
+// Each test file has its own copy of the functions, and need not call them all; in a variant some parameters have no use.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
 
 namespace dsphere::test::GLSL_NAMESPACE {
 namespace {
@@ -49,20 +49,17 @@ inline real leadingBits(real x) {
     return real(std::bit_cast<float>(std::bit_cast<std::uint32_t>(float(x)) & 0xfffff000u));
 }
 
+// Of all surfaces.
+[[maybe_unused]] constexpr int kSurfaces = 1 << SURFACE_BILINEAR | 1 << SURFACE_SPLINE | 1 << SURFACE_RIPPLES;
+
 #include "shaders/numeric.glsl"
 #include "shaders/surface.glsl"
-#ifdef WITH_CURVED
-constexpr int kSurfaces = 1 << SURFACE_BILINEAR | 1 << SURFACE_SPLINE | 1 << SURFACE_RIPPLES;
-#include "shaders/curved.glsl"
-#endif
+#include "patch.glsl"
 #include "shaders/ray.glsl"
 #include "shaders/frame.glsl"
 #include "shaders/walk.glsl"
 #include "shaders/march.glsl"
 #include "shaders/filter.glsl"
-#ifdef WITH_CURVED
-#include "shaders/curvedstroll.glsl"
-#endif
 
 // All kinds of object, the exact marcher: what the device gets by specialisation.
 constexpr int kMarcher = MARCHER_EXACT;
@@ -72,6 +69,9 @@ constexpr int kOnlyDisplaced = -1, kOnlyPlain = -1;
 
 #include "shaders/hit.glsl"
 #include "shaders/naive.glsl"
+#include "shaders/displaced.glsl"
+#include "search.glsl"
+#include "scope.glsl"
 #include "shaders/objects.glsl"
 #include "shaders/colour.glsl"
 #include "shaders/sample.glsl"
@@ -82,5 +82,4 @@ constexpr int kOnlyDisplaced = -1, kOnlyPlain = -1;
 #pragma GCC diagnostic pop
 
 #undef INOUT
-#undef FORWARD
 #undef precise

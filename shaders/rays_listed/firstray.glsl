@@ -13,11 +13,7 @@ QueryRay listedRay(const Segment segment, const int k) {
 
 // The filter as a whole needs no more than a float's bits.
 Pair listedValue(const real value, const real value_lo) {
-#if MARCH_WITH == MARCH_FILTER
-    return makePair(value, real(0));
-#else
-    return makePair(value, value_lo);
-#endif
+    return makePair(value, kSingleFloats ? real(0) : value_lo);
 }
 
 Ray firstRay(const Segment segment, const int k, const ObjectData object) {

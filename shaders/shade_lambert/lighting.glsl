@@ -23,9 +23,9 @@ vec3 lightFrom(const LightData light, const SurfacePoint point) {
     vec3 towards = XYZ(light.position) - real(light.position.w) * point.from_first;
     real square = dot(towards, towards);
     real cosine = max(dot(towards, shadingNormal(point)) * inversesqrt(square), real(0));
-#ifdef WITH_CURVED
-    cosine *= terminatorShare(dot(towards, point.normal) * inversesqrt(square), cosine, dot(point.normal, point.smooth_normal));
-#endif
+    if (kCurved)
+        cosine *= terminatorShare(dot(towards, point.normal) * inversesqrt(square), cosine,
+                                  dot(point.normal, point.smooth_normal));
     if (!(square > real(0))) return vec3(real(0));  // a light on the surface itself
     return finiteLight(XYZ(light.radiance) * (isLight(light, LIGHT_POINT) ? cosine / square : cosine));
 }
@@ -50,4 +50,9 @@ Gathered gatherDirect(const Segment segment) {
         result.colour = directLight(result.point, result.albedo, result.lit);
     }
     return result;
+}
+
+// Of one of a list's rays, by its own `key`: see shade_paths.
+Gathered gatherListed(const Segment segment, const uint key) {
+    return gatherDirect(segment);
 }

@@ -1,7 +1,8 @@
 // Displaced spheres whose heights are not bilinear: a bicubic spline, or ripples in closed form; and bilinear ones that
-// share a scene with them. Takes the place of surface.glsl's bilinear patch in the variants WITH_CURVED. Expects
-// surface.glsl, kSurfaces (a bit per SURFACE_ of the scene: the others are compiled away) and the resource function
-// nodeAt(map, column, row).
+// share a scene with them. Expects surface.glsl, kSurfaces (a bit per SURFACE_ of the scene: the others are compiled away)
+// and the resource function nodeAt(map, column, row).
+
+const bool kCurved = true;
 
 // r - base over one cell. A polynomial: coefficients of u^0 to u^3 in the components of c0 to c3, which go with v^0 to
 // v^3. Ripples: half (1 + sin(phase_u + u d_u) sin(phase_v + v d_v)), c0 the sines and cosines of both phases at the
@@ -209,4 +210,13 @@ real chordTwist(const Bends bends, const vec2 rate, const vec2 bend) {
     real products = bends.second.x * u * second.x + bends.second.y * (u * second.y + v * second.x) +
                     bends.second.z * v * second.y;
     return cubes + real(3) * products;
+}
+
+// The normal for shading at a hit, where the true one is `normal`: the B-spline's, if the object asks for it.
+vec3 smoothNormal(const MapData map, const real scale, const PatchPoint at, const ivec2 cell, const vec3 p,
+                  const vec3 normal) {
+    if (!sceneHasSurface(SURFACE_SMOOTH_NORMALS) || map.smooth_normals == 0) return normal;
+    Patch quad = splinePatch(map, scale, cell);
+    vec3 gradient = patchGradient(map, quad, at, cell.y, p);
+    return dot(gradient, gradient) > real(0) ? normalize(gradient) : normal;
 }

@@ -66,9 +66,7 @@ Scattering scatterTowards(const Vertex vertex, const vec3 direction) {
     Scattering result = scatter(vertex.material, vertex.colour, vertex.view, light);
     real cosine = dot(vertex.point.normal, direction);
     if (cosine <= real(0)) result.value = vec3(real(0));
-#ifdef WITH_CURVED
-    result.value *= terminatorShare(cosine, light.z, dot(vertex.point.normal, vertex.basis.z));
-#endif
+    if (kCurved) result.value *= terminatorShare(cosine, light.z, dot(vertex.point.normal, vertex.basis.z));
     return result;
 }
 

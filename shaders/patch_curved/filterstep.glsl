@@ -1,5 +1,5 @@
-// filter.glsl's step through one cell for curved surfaces: the surface along a chord is no polynomial of low degree, so the
-// chord is halved until the parabola through its ends and middle decides. Expects filter.glsl and curved.glsl.
+// The filter's step through one cell of a curved surface: along a chord that is no polynomial of low degree, so the chord is
+// halved until the parabola through its ends and middle decides. Expects what filter.glsl has before.
 
 // What leaves this much of the doubt band undecided is not halved further.
 const real kEnoughOfDoubt = real(0.25);
