@@ -21,7 +21,8 @@ struct RayWishes {
     bool looks() const { return colour || place; }
 };
 
-/// The pipelines that trace lists of rays through one scene: search_filter, and search_full for the rays that it leaves.
+/// The pipelines that trace lists of rays through one scene: search_filter, and search_full for the rays that it
+/// leaves.
 class RayPipelines {
   public:
     RayPipelines(gpu::Device& device, const SceneTraits& traits, const RayWishes& wishes);

@@ -38,7 +38,7 @@ void loadFont(double scale) {
 void setColours(ImGuiStyle& style) {
     ImGui::StyleColorsDark(&style);
     const ImVec4 accent(0.24f, 0.52f, 0.88f, 1.0f), faint(1.0f, 1.0f, 1.0f, 0.07f);
-    style.Colors[ImGuiCol_WindowBg] = ImVec4(0.09f, 0.09f, 0.10f, 0.94f);
+    style.Colors[ImGuiCol_WindowBg] = ImVec4(0.09f, 0.09f, 0.10f, 1.0f);
     style.Colors[ImGuiCol_PopupBg] = ImVec4(0.13f, 0.13f, 0.14f, 1.0f);  // no text through text
     style.Colors[ImGuiCol_Border] = ImVec4(1.0f, 1.0f, 1.0f, 0.10f);
     style.Colors[ImGuiCol_FrameBg] = faint;

@@ -1,4 +1,5 @@
-// What patch_curved/patch.glsl says of a patch, in double: its polynomial is the reference's surface, and its bounds hold.
+// What patch_curved/patch.glsl says of a patch, in double: its polynomial is the reference's surface, and its bounds
+// hold.
 
 #include "tests/shaders/planet.h"
 #include "tests/support/testmaps.h"
