@@ -49,7 +49,7 @@ double quantile(std::vector<float>& values, double share) {
     return *place;
 }
 
-Accuracy summarize(Part& all) {
+report::Accuracy summarize(Part& all) {
     const verify::Report& report = all.report;
     return {.rays = report.rays,
             .hits = report.hits,
@@ -82,8 +82,8 @@ std::vector<std::size_t> samplePixels(std::size_t total, std::uint64_t count) {
     return pixels;
 }
 
-Accuracy judge(const verify::Comparison& comparison, const View& view, const std::vector<PixelAnswer>& answers,
-               const std::vector<PixelAnswer>& exact, const Progress& progress) {
+report::Accuracy judge(const verify::Comparison& comparison, const View& view, const std::vector<PixelAnswer>& answers,
+                       const std::vector<PixelAnswer>& exact, const Progress& progress) {
     const PixelSize size(view);
     Part total;
     std::mutex mutex;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bench/contender.h"
-#include "bench/results.h"
+#include "report/results.h"
 
 namespace dsphere::bench {
 
@@ -11,7 +11,7 @@ std::vector<std::size_t> samplePixels(std::size_t total, std::uint64_t count);
 /// Judges answers about a view of the workload on all cores. `comparison` is of its scene and tolerates approximations.
 /// `exact` holds the exact marcher's answers about the same pixels: whether a pixel is in shadow is asked where these
 /// start, whatever surface the method has put in its place.
-Accuracy judge(const verify::Comparison& comparison, const View& view, const std::vector<PixelAnswer>& answers,
-               const std::vector<PixelAnswer>& exact, const Progress& progress);
+report::Accuracy judge(const verify::Comparison& comparison, const View& view, const std::vector<PixelAnswer>& answers,
+                       const std::vector<PixelAnswer>& exact, const Progress& progress);
 
 }  // namespace dsphere::bench

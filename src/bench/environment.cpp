@@ -35,8 +35,8 @@ std::string buildCommit() {
     return DSPHERE_COMMIT;
 }
 
-Environment describeEnvironment(const gpu::Device& device, double device_open_seconds, double load) {
-    Environment environment;
+report::Environment describeEnvironment(const gpu::Device& device, double device_open_seconds, double load) {
+    report::Environment environment;
     environment.version = DSPHERE_VERSION;
     environment.commit = buildCommit();
     environment.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bench/results.h"
+#include "report/results.h"
 
 #include <string>
 
@@ -17,6 +17,6 @@ double systemLoad();
 std::string buildCommit();
 
 /// This build, this host, that device, now. `load` is the system's before the run.
-Environment describeEnvironment(const gpu::Device& device, double device_open_seconds, double load);
+report::Environment describeEnvironment(const gpu::Device& device, double device_open_seconds, double load);
 
 }  // namespace dsphere::bench

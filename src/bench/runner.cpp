@@ -43,7 +43,7 @@ class Meter {
 /// A method in the race on one view.
 struct Entry {
     const Method* method;
-    MethodResult result;
+    report::MethodResult result;
     std::unique_ptr<Contender> contender;  ///< empty if skipped
     std::vector<Timing> primary, shadow;
     double spent = 0.0;
@@ -55,8 +55,8 @@ std::vector<double> pick(const std::vector<Timing>& timings, double Timing::*clo
     return seconds;
 }
 
-Speed speedOf(double rays, const std::vector<Timing>& timings) {
-    return {ratesOf(rays, pick(timings, &Timing::device)), ratesOf(rays, pick(timings, &Timing::wall))};
+report::Speed speedOf(double rays, const std::vector<Timing>& timings) {
+    return {report::ratesOf(rays, pick(timings, &Timing::device)), report::ratesOf(rays, pick(timings, &Timing::wall))};
 }
 
 // What Embree holds of a mesh at its peak, for a cell of the map: measured, rounded up.
@@ -84,15 +84,15 @@ class WorkloadRun {
           comparison_(workload.scene, workload.maps, verify::Comparison::Tolerance::Approximate) {}
 
     void buildMeshes();
-    ViewResult runView(std::size_t index);
+    report::ViewResult runView(std::size_t index);
 
   private:
     std::vector<Entry> enter(const View& view);
     void race(std::vector<Entry>& entries);
     void runOnce(Entry& entry, bool timed);
     void finish(Entry& entry, const View& view, const std::vector<std::size_t>& pixels, const Answers& exact,
-                ViewResult& result);
-    Spread setup(const Method& method, const View& view);
+                report::ViewResult& result);
+    report::Spread setup(const Method& method, const View& view);
     DeviceView& viewFor(const Method& method);
     double unit() const { return workload_.maps.reliefs[0].greatest_radius; }
 
@@ -129,13 +129,13 @@ void WorkloadRun::buildMeshes() {
     }
 }
 
-Spread WorkloadRun::setup(const Method& method, const View& view) {
+report::Spread WorkloadRun::setup(const Method& method, const View& view) {
     std::vector<double> seconds;
     for (int repeat = 0; repeat < plan_.setups; ++repeat) {
         seconds.push_back(timeDeviceSetup(device_, workload_, view, method));
         meter_.alive();
     }
-    return spreadOf(seconds);
+    return report::spreadOf(seconds);
 }
 
 DeviceView& WorkloadRun::viewFor(const Method& method) {
@@ -199,8 +199,8 @@ void WorkloadRun::race(std::vector<Entry>& entries) {
 }
 
 void WorkloadRun::finish(Entry& entry, const View& view, const std::vector<std::size_t>& pixels, const Answers& exact,
-                         ViewResult& result) {
-    MethodResult& of = entry.result;
+                         report::ViewResult& result) {
+    report::MethodResult& of = entry.result;
     of.primary = speedOf(double(result.width) * result.height, entry.primary);
     of.shadow = speedOf(double(of.shadow_rays), entry.shadow);
     Answers answers = entry.contender->answer(pixels);
@@ -211,18 +211,18 @@ void WorkloadRun::finish(Entry& entry, const View& view, const std::vector<std::
     meter_.step();
 }
 
-ViewResult WorkloadRun::runView(std::size_t index) {
+report::ViewResult WorkloadRun::runView(std::size_t index) {
     const View& view = workload_.views[index];
     Box box = cropBox(view.film);
-    ViewResult result{workload_.map,
-                      workload_.width,
-                      workload_.height,
-                      workload_.percent,
-                      view.name,
-                      box.width(),
-                      box.height(),
-                      0.0,
-                      {}};
+    report::ViewResult result{workload_.map,
+                              workload_.width,
+                              workload_.height,
+                              workload_.percent,
+                              view.name,
+                              box.width(),
+                              box.height(),
+                              0.0,
+                              {}};
     if (std::ranges::any_of(plan_.methods, [](const Method& method) { return method.levels() == Levels::All; }))
         viewFor(*std::ranges::find(plan_.methods, Levels::All, &Method::levels)).look(view);
     planet_.look(view);
@@ -236,10 +236,10 @@ ViewResult WorkloadRun::runView(std::size_t index) {
         Entry& entry = entries[k];
         if (entry.contender) finish(entry, view, pixels, exact, result);
         if (entry.contender && index == 0) {
-            const Spread first_frame = spreadOf(pick(entry.primary, &Timing::wall));
+            const report::Spread first_frame = report::spreadOf(pick(entry.primary, &Timing::wall));
             for (double& seconds : meshes_[k].build_seconds) seconds += first_frame.median;
             entry.result.setup_seconds = entry.method->isIterated() ? first_frame  // it takes the map as it is
-                                         : entry.method->isMesh()   ? spreadOf(meshes_[k].build_seconds)
+                                         : entry.method->isMesh()   ? report::spreadOf(meshes_[k].build_seconds)
                                                                     : setup(*entry.method, view);
         }
         result.methods.push_back(std::move(entry.result));
@@ -251,10 +251,10 @@ ViewResult WorkloadRun::runView(std::size_t index) {
 
 }  // namespace
 
-std::vector<ViewResult> measure(gpu::Device& device, const std::vector<Source>& sources, const Plan& plan,
-                                const Progress& progress) {
+std::vector<report::ViewResult> measure(gpu::Device& device, const std::vector<Source>& sources, const Plan& plan,
+                                        const Progress& progress) {
     Meter meter(sources, plan, progress);
-    std::vector<ViewResult> results;
+    std::vector<report::ViewResult> results;
     for (const Source& source : sources) {
         Workload workload = source.make();
         meter.alive();

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bench/method.h"
-#include "bench/results.h"
 #include "bench/workload.h"
+#include "report/results.h"
 
 #include <functional>
 
@@ -24,7 +24,7 @@ struct Source {
 
 /// Measures every method on every view of every source, one source after another. Methods take turns, so that what else
 /// the machine does hits all alike. Errors of rendering and Embree; Error (Interrupted) when `progress` says stop.
-std::vector<ViewResult> measure(gpu::Device& device, const std::vector<Source>& sources, const Plan& plan,
-                                const Progress& progress);
+std::vector<report::ViewResult> measure(gpu::Device& device, const std::vector<Source>& sources, const Plan& plan,
+                                        const Progress& progress);
 
 }  // namespace dsphere::bench

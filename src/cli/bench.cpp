@@ -1,18 +1,18 @@
 #include "base/error.h"
-#include "bench/baseline.h"
 #include "bench/contender.h"
-#include "bench/csv.h"
 #include "bench/environment.h"
-#include "bench/json.h"
-#include "bench/report.h"
 #include "bench/sidebyside.h"
 #include "bench/suite.h"
-#include "bench/table.h"
 #include "cli/commands.h"
 #include "cli/outputs.h"
 #include "cli/print.h"
 #include "cli/sceneoptions.h"
 #include "image/picture.h"
+#include "report/baseline.h"
+#include "report/csv.h"
+#include "report/json.h"
+#include "report/report.h"
+#include "report/table.h"
 
 #include <nlohmann/json.hpp>
 
@@ -109,19 +109,19 @@ void checkReports(const BenchOptions& options, std::vector<NamedFile> inputs) {
     checkOutputs(outputs, inputs);
 }
 
-void writeReports(const BenchOptions& options, const bench::Results& results) {
+void writeReports(const BenchOptions& options, const report::Results& results) {
     auto write = [&](const std::filesystem::path& path, const std::string& text) {
-        bench::writeText(path, text);
+        report::writeText(path, text);
         if (!options.common.quiet) printErr("wrote {}\n", path.string());
     };
-    if (!options.csv.empty()) write(options.csv, bench::csv(results));
-    if (!options.json.empty()) write(options.json, jsonText(bench::toJson(results)));
-    if (!options.html.empty()) write(options.html, bench::html(results));
+    if (!options.csv.empty()) write(options.csv, report::csv(results));
+    if (!options.json.empty()) write(options.json, jsonText(report::toJson(results)));
+    if (!options.html.empty()) write(options.html, report::html(results));
     if (options.markdown.empty()) return;
     const std::filesystem::path figure = figurePath(options);
-    std::string drawing = bench::figureFile(results);
+    std::string drawing = report::figureFile(results);
     if (!drawing.empty()) write(figure, drawing);
-    write(options.markdown, bench::markdown(results, drawing.empty() ? "" : figure.filename().string()));
+    write(options.markdown, report::markdown(results, drawing.empty() ? "" : figure.filename().string()));
 }
 
 // In place of a measurement.
@@ -153,8 +153,8 @@ int runBench(const BenchOptions& options) {
     plan.samples = options.samples.value_or(plan.samples);
     const Work work = chooseWork(suite, options);
     checkReports(options, work.inputs);
-    std::optional<bench::Results> before;
-    if (!options.baseline.empty()) before = bench::readResults(options.baseline);
+    std::optional<report::Results> before;
+    if (!options.baseline.empty()) before = report::readResults(options.baseline);
 
     const double load = bench::systemLoad();
     if (load > 0.5 * std::thread::hardware_concurrency() && !options.common.quiet)
@@ -163,7 +163,7 @@ int runBench(const BenchOptions& options) {
     // No caches: set-up times are of shaders that no driver has seen.
     gpu::Device device = openDevice(options.common, false);
     std::chrono::duration<double> opening = std::chrono::steady_clock::now() - start;
-    bench::Results results;
+    report::Results results;
     {
         ProgressLine line(options.common.progress, options.common.quiet, "bench");
         results.views = bench::measure(device, work.sources, plan, [&](double share) { return line.update(share); });
@@ -174,12 +174,12 @@ int runBench(const BenchOptions& options) {
     results.repeats = plan.repeats;
     results.samples = plan.samples;
     writeReports(options, results);
-    std::string changes = before ? bench::changes(results, *before) : "";
+    std::string changes = before ? report::changes(results, *before) : "";
     if (options.common.json) {
-        printText(jsonText(bench::toJson(results)));
+        printText(jsonText(report::toJson(results)));
         printErrorText(changes);
     } else {
-        print("{}{}", bench::table(results), changes);
+        print("{}{}", report::table(results), changes);
     }
     return int(ExitCode::Ok);
 }

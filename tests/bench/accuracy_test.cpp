@@ -48,7 +48,7 @@ class AccuracyTest : public testing::Test {
         return result;
     }
 
-    Accuracy judged(const std::vector<PixelAnswer>& given) const {
+    report::Accuracy judged(const std::vector<PixelAnswer>& given) const {
         return judge(*comparison_, view(), given, answers(), {});
     }
 
@@ -57,7 +57,7 @@ class AccuracyTest : public testing::Test {
 };
 
 TEST_F(AccuracyTest, TheTruthHasNoError) {
-    Accuracy accuracy = judged(answers());
+    report::Accuracy accuracy = judged(answers());
     EXPECT_EQ(accuracy.rays, 40u * 24u);
     EXPECT_GT(accuracy.hits, 200u);
     EXPECT_EQ(accuracy.wrong_verdicts + accuracy.later_roots + accuracy.wrong_shadows + accuracy.tangent, 0u);
@@ -67,7 +67,7 @@ TEST_F(AccuracyTest, TheTruthHasNoError) {
 
 // An approximation is no fault; its distance says how good it is, and pixels count that as it is seen.
 TEST_F(AccuracyTest, ASmallShiftIsDistanceAlone) {
-    Accuracy accuracy = judged(answers(-1e-4));
+    report::Accuracy accuracy = judged(answers(-1e-4));
     EXPECT_EQ(accuracy.wrong_verdicts + accuracy.later_roots + accuracy.wrong_shadows, 0u);
     EXPECT_GT(accuracy.distance_median, 1e-5);
     EXPECT_LE(accuracy.distance_greatest, 1.01e-4 / unit());
@@ -95,7 +95,7 @@ TEST_F(AccuracyTest, MissesAndFarSidesAreFaults) {
     }
     later.answer.t = inside;
     later.answer.object_position = ray.origin + inside * ray.direction;
-    Accuracy accuracy = judged(given);
+    report::Accuracy accuracy = judged(given);
     EXPECT_EQ(accuracy.wrong_verdicts, 1u);
     EXPECT_EQ(accuracy.later_roots, 1u);
 }
@@ -103,7 +103,7 @@ TEST_F(AccuracyTest, MissesAndFarSidesAreFaults) {
 TEST_F(AccuracyTest, WrongShadowsAreCounted) {
     std::vector<PixelAnswer> given = answers();
     for (PixelAnswer& answer : given) answer.lit = !answer.lit;
-    Accuracy accuracy = judged(given);
+    report::Accuracy accuracy = judged(given);
     EXPECT_EQ(accuracy.wrong_shadows + accuracy.tangent_shadows, accuracy.shadow_rays);
     EXPECT_GT(accuracy.wrong_shadows, 200u);
 }

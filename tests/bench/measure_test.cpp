@@ -43,12 +43,12 @@ class MeasureTest : public testing::Test {
 };
 
 TEST_F(MeasureTest, EveryMethodOnEveryView) {
-    std::vector<ViewResult> views = measure(device_, suiteSources(suite_), plan_, {});
+    std::vector<report::ViewResult> views = measure(device_, suiteSources(suite_), plan_, {});
     ASSERT_EQ(views.size(), 2u);
-    for (const ViewResult& view : views) {
+    for (const report::ViewResult& view : views) {
         ASSERT_EQ(view.methods.size(), plan_.methods.size());
         EXPECT_GT(view.hit_share, 0.2);
-        for (const MethodResult& method : view.methods) {
+        for (const report::MethodResult& method : view.methods) {
             SCOPED_TRACE(view.view + ", " + method.method);
             EXPECT_EQ(method.skipped, "");
             EXPECT_EQ(method.primary.device.count, 2);
@@ -66,8 +66,8 @@ TEST_F(MeasureTest, EveryMethodOnEveryView) {
 TEST_F(MeasureTest, ExactAndLipschitzHaveNoFaults) {
     plan_.methods = chooseMethods({"exact", "lipschitz"});
     suite_.percents = {15.0};
-    for (const ViewResult& view : measure(device_, suiteSources(suite_), plan_, {}))
-        for (const MethodResult& method : view.methods) {
+    for (const report::ViewResult& view : measure(device_, suiteSources(suite_), plan_, {}))
+        for (const report::MethodResult& method : view.methods) {
             SCOPED_TRACE(view.view + ", " + method.method);
             EXPECT_EQ(method.accuracy->later_roots, 0u);
             EXPECT_EQ(method.accuracy->runaways, 0u);
@@ -81,9 +81,9 @@ TEST_F(MeasureTest, ExactAndLipschitzHaveNoFaults) {
 TEST_F(MeasureTest, ANaiveThresholdIsTheErrorItLeaves) {
     plan_.methods = chooseMethods({"naive"});
     suite_.views = {"whole"};
-    ViewResult view = measure(device_, suiteSources(suite_), plan_, {}).at(0);
+    report::ViewResult view = measure(device_, suiteSources(suite_), plan_, {}).at(0);
     double last = 1.0;
-    for (const MethodResult& method : view.methods) {
+    for (const report::MethodResult& method : view.methods) {
         EXPECT_LT(method.accuracy->distance_median, last) << method.method;
         last = method.accuracy->distance_median;
     }
@@ -120,7 +120,7 @@ TEST_F(MeasureTest, AMovedCameraSeesWhatAFreshOneDoes) {
 }
 
 TEST_F(MeasureTest, TheEnvironmentIsDescribed) {
-    Environment environment = describeEnvironment(device_, 0.5, systemLoad());
+    report::Environment environment = describeEnvironment(device_, 0.5, systemLoad());
     EXPECT_EQ(environment.device, device_.info().name);
     EXPECT_GT(environment.cores, 0);
     EXPECT_GE(environment.load, 0.0);
