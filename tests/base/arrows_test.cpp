@@ -77,6 +77,7 @@ const std::vector<Library> kLibraries = {
     {"iex", {"image"}},
     {"stb", {"image"}},
     {"png", {"image"}},
+    {"zlib", {"image"}},
     {"tiff", {"image"}},
     {"jpeg", {"image"}},
     {"embree", {"bench"}},

@@ -1,14 +1,20 @@
+#include "image/pngpixels.h"
+
+#include <zlib.h>
+
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <limits>
-#include <memory>
 
 #include "image/codecs.h"
 #include "image/coloursink.h"
+#include "image/pngrows.h"
 #include "image/stb.h"
 
-// stb inflates and unfilters. It checks neither the checksums nor that the data can fill the picture, so the chunks are
-// walked first (PNG specification, second edition, sections 5 and 11.2.2).
+// Samples of up to 8 bits are decoded by stb_image, which resolves palettes and transparent colours. It checks neither
+// the checksums nor that the data can fill the picture, so the chunks are walked first (PNG specification, second
+// edition, sections 5 and 11.2.2). Samples of 16 bits are decoded by libpng, as those of height maps are.
 
 namespace dsphere {
 namespace {
@@ -26,25 +32,6 @@ struct Header {
         return std::uint64_t(width) * std::uint64_t(height) * std::uint64_t(depth * channels) / 8;
     }
 };
-
-/// The table of section D ("Sample CRC implementation"), one entry a byte.
-constexpr std::array<std::uint32_t, 256> makeCrcTable() {
-    std::array<std::uint32_t, 256> table{};
-    for (std::uint32_t n = 0; n < 256; ++n) {
-        std::uint32_t c = n;
-        for (int k = 0; k < 8; ++k) c = c & 1 ? 0xedb88320u ^ (c >> 1) : c >> 1;
-        table[n] = c;
-    }
-    return table;
-}
-
-constexpr std::array<std::uint32_t, 256> kCrcTable = makeCrcTable();
-
-std::uint32_t crcOf(const std::uint8_t* data, std::size_t count) {
-    std::uint32_t crc = 0xffffffffu;
-    for (std::size_t k = 0; k < count; ++k) crc = kCrcTable[(crc ^ data[k]) & 0xff] ^ (crc >> 8);
-    return ~crc;
-}
 
 Header parseHeader(const InputFile& file, const std::uint8_t* data) {
     const Header header{load32(data), load32(data + 4), data[8],
@@ -69,7 +56,7 @@ Header checkChunks(const InputFile& file, const std::vector<std::uint8_t>& bytes
             file.invalid("PNG: truncated: the file ends inside the chunk at byte {}, before IEND", at);
         const std::size_t length = load32(chunk);
         const std::string name(reinterpret_cast<const char*>(chunk + 4), 4);
-        if (crcOf(chunk + 4, length + 4) != load32(chunk + 8 + length))
+        if (crc32(0, chunk + 4, uInt(length + 4)) != load32(chunk + 8 + length))
             file.invalid("PNG: the checksum of the chunk {:?} at byte {} is wrong: the file is damaged", name, at);
         if (at == kSignature.size()) {
             if (name != "IHDR" || length != kHeaderBytes)
@@ -92,60 +79,70 @@ Header checkChunks(const InputFile& file, const std::vector<std::uint8_t>& bytes
     return header;
 }
 
-struct Free {
-    void operator()(void* pixels) const { stbi_image_free(pixels); }
-};
-
-/// Texels of 8 or (wide) 16 bits a channel: 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA.
-struct Pixels {
-    std::unique_ptr<void, Free> data;
-    int width = 0, height = 0, channels = 0;
-    bool wide = false;
-
-    double fullScale() const { return wide ? 65535.0 : 255.0; }
-    const char* type() const { return wide ? "16-bit PNG" : "8-bit PNG"; }
-};
-
-Pixels decode(InputFile& file) {
+std::vector<std::uint8_t> readAll(InputFile& file) {
     if (file.remaining() > std::uint64_t(std::numeric_limits<int>::max()))
         file.invalid("PNG: the file has {} bytes, expected less than 2 GiB", file.remaining());
     std::vector<std::uint8_t> bytes(file.remaining());
     file.read(bytes.data(), bytes.size());
-    const Header header = checkChunks(file, bytes);
-    Pixels pixels;
-    pixels.wide = header.depth == 16;
-    forgetStbFailure();
-    const auto load = [&](auto loader) {
-        pixels.data.reset(loader(bytes.data(), int(bytes.size()), &pixels.width, &pixels.height, &pixels.channels, 0));
-    };
-    pixels.wide ? load(stbi_load_16_from_memory) : load(stbi_load_from_memory);
-    if (!pixels.data) {
-        const char* reason = stbi_failure_reason();
-        file.invalid("PNG: cannot be decoded: {}", reason ? reason : "its compressed data are damaged");
-    }
-    return pixels;
+    return bytes;
 }
 
-template <typename Sample>
-void putRows(ColourSink& sink, const Sample* data, const Pixels& pixels) {
-    const int channels = pixels.channels < 3 ? 1 : 3;
-    std::vector<float> row(std::size_t(pixels.width) * std::size_t(channels));
-    for (int j = 0; j < pixels.height; ++j) {
-        for (auto out = row.begin(); out != row.end(); data += pixels.channels)
-            for (int c = 0; c < channels; ++c) *out++ = float(data[c]);
-        sink.put(std::size_t(j) * std::size_t(pixels.width), std::size_t(pixels.width), row.data(), channels);
-    }
+void decodeNarrow(const InputFile& file, const std::vector<std::uint8_t>& bytes, PngPixels& pixels) {
+    forgetStbFailure();
+    pixels.bytes.reset(
+        stbi_load_from_memory(bytes.data(), int(bytes.size()), &pixels.width, &pixels.height, &pixels.channels, 0));
+    if (pixels.bytes) return;
+    const char* reason = stbi_failure_reason();
+    file.invalid("PNG: cannot be decoded: {}", reason ? reason : "its compressed data are damaged");
+}
+
+/// A colour that counts as transparent becomes an alpha channel.
+void decodeWide(InputFile& file, PngPixels& pixels) {
+    PngRows png(file);
+    const std::vector<std::uint16_t>& key = png.transparent();
+    const std::size_t stored = std::size_t(png.channels());
+    pixels.width = png.width();
+    pixels.height = png.height();
+    pixels.channels = png.channels() + (key.empty() ? 0 : 1);
+    pixels.words.reserve(std::size_t(pixels.width) * std::size_t(pixels.height) * std::size_t(pixels.channels));
+    png.read([&](int, std::span<const std::uint16_t> row) {
+        for (std::size_t at = 0; at < row.size(); at += stored) {
+            const auto texel = row.subspan(at, stored);
+            pixels.words.insert(pixels.words.end(), texel.begin(), texel.end());
+            if (!key.empty()) pixels.words.push_back(std::ranges::equal(texel, key) ? 0 : 65535);
+        }
+    });
 }
 
 }  // namespace
 
+void PngPixels::Free::operator()(std::uint8_t* pixels) const {
+    stbi_image_free(pixels);
+}
+
+PngPixels readPngPixels(InputFile& file) {
+    PngPixels pixels;
+    {
+        const std::vector<std::uint8_t> bytes = readAll(file);
+        if (checkChunks(file, bytes).depth < 16) {
+            decodeNarrow(file, bytes, pixels);
+            return pixels;
+        }
+    }
+    decodeWide(file, pixels);
+    return pixels;
+}
+
 RawColour readPngColour(InputFile& file) {
-    const Pixels pixels = decode(file);
-    ColourSink sink(pixels.width, pixels.height, {pixels.fullScale()}, pixels.type());
-    if (pixels.wide)
-        putRows(sink, static_cast<const stbi_us*>(pixels.data.get()), pixels);
-    else
-        putRows(sink, static_cast<const stbi_uc*>(pixels.data.get()), pixels);
+    const PngPixels pixels = readPngPixels(file);
+    ColourSink sink(pixels.width, pixels.height, {pixels.fullScale()}, pixels.isWide() ? "16-bit PNG" : "8-bit PNG");
+    const std::size_t colours = pixels.colours(), width = std::size_t(pixels.width);
+    std::vector<float> row(width * colours);
+    for (std::size_t j = 0; j < std::size_t(pixels.height); ++j) {
+        for (std::size_t i = 0; i < width; ++i)
+            for (std::size_t c = 0; c < colours; ++c) row[i * colours + c] = float(pixels.code(j * width + i, c));
+        sink.put(j * width, width, row.data(), int(colours));
+    }
     return sink.take();
 }
 
