@@ -81,11 +81,13 @@ using uint = std::uint32_t;
 #define KIND_SPHERE 1
 #define KIND_DISK 2
 #define KIND_MESH 3  // shade_paths alone
+#define KIND_COUNT 4
 
 #define MATERIAL_MATTE 0
 #define MATERIAL_CONDUCTOR 1
 #define MATERIAL_MIRROR 2
 #define MATERIAL_PLASTIC 3
+#define MATERIAL_COUNT 4
 
 // shade_lambert knows the first two alone.
 #define LIGHT_DISTANT 0
@@ -94,6 +96,7 @@ using uint = std::uint32_t;
 #define LIGHT_IMAGE 3  // infinite, with an image
 #define LIGHT_SPHERE 4
 #define LIGHT_DISK 5
+#define LIGHT_COUNT 6
 
 // What a displaced sphere's heights are between the nodes. patch_bilinear knows the first
 // alone.

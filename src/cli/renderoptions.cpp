@@ -1,5 +1,7 @@
 #include "cli/renderoptions.h"
 
+#include "render/planes.h"
+
 #include <cmath>
 
 namespace dsphere::cli {
@@ -28,10 +30,7 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
         ->type_name("FILE");
     addChoice<std::optional<Format>>(command, "--format", options.format, {{"png", Format::Png}, {"exr", Format::Exr}},
                                      "What -o - writes; default: png", "png|exr");
-    command
-        .add_option("--aov", options.aov,
-                    "Further outputs into the .exr: all, or t,P,N,Ns,u,v,Albedo,id,lit,"
-                    "steps,residual")
+    command.add_option("--aov", options.aov, "Further outputs into the .exr: all, or " + aovNames(","))
         ->type_name("LIST");
     command.add_flag("--alpha", options.alpha,
                      "Transparent where nothing is hit, infinite lights behind the shapes too: a .png gets an alpha "

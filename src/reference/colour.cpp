@@ -1,5 +1,6 @@
 #include "reference/colour.h"
 
+#include "base/overloads.h"
 #include "reference/mesh.h"
 
 #include <cmath>
@@ -45,12 +46,17 @@ double turnAboutZ(const dvec3& p) {
 }  // namespace
 
 dvec2 surfaceUv(const Shape& shape, const dvec3& p) {
-    if (const auto* disk = std::get_if<Disk>(&shape.geometry))
-        return {turnAboutZ(p), (disk->radius - std::hypot(p.x, p.y)) / (disk->radius - disk->inner_radius)};
-    if (std::holds_alternative<Sphere>(shape.geometry))
-        return {turnAboutZ(p), 1.0 - std::atan2(std::hypot(p.x, p.y), p.z) / kPi};
-    if (const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry)) return meshUv(*mesh, nearestOnMesh(*mesh, p));
-    return {0.5 + std::atan2(p.x, p.z) / (2.0 * kPi), std::atan2(std::hypot(p.x, p.z), p.y) / kPi};
+    const auto onDisplaced = [&](const DisplacedSphere&) {
+        return dvec2(0.5 + std::atan2(p.x, p.z) / (2.0 * kPi), std::atan2(std::hypot(p.x, p.z), p.y) / kPi);
+    };
+    const auto onSphere = [&](const Sphere&) {
+        return dvec2(turnAboutZ(p), 1.0 - std::atan2(std::hypot(p.x, p.y), p.z) / kPi);
+    };
+    const auto onDisk = [&](const Disk& disk) {
+        return dvec2(turnAboutZ(p), (disk.radius - std::hypot(p.x, p.y)) / (disk.radius - disk.inner_radius));
+    };
+    const auto onMesh = [&](const TriangleMesh& mesh) { return meshUv(mesh, nearestOnMesh(mesh, p)); };
+    return std::visit(Overloads{onDisplaced, onSphere, onDisk, onMesh}, shape.geometry);
 }
 
 dvec3 imageColour(const Shape& shape, const ImageMap& texture, const ColourMap& image, const dvec3& p) {

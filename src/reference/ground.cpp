@@ -1,5 +1,6 @@
 #include "reference/ground.h"
 
+#include "base/overloads.h"
 #include "reference/curved.h"
 #include "reference/grid.h"
 
@@ -14,11 +15,13 @@ namespace {
 
 /// r below (or above) a point in the shape's space; 0 for shapes without a solid.
 double radiusUnder(const Scene& scene, const SceneMaps& maps, std::size_t shape, const dvec3& point) {
-    const Geometry& geometry = scene.shapes[shape].geometry;
-    if (const auto* sphere = std::get_if<Sphere>(&geometry)) return sphere->radius;
-    if (!std::holds_alternative<DisplacedSphere>(geometry)) return 0.0;
-    const dvec3 direction = point == dvec3(0.0) ? dvec3(0.0, 1.0, 0.0) : point;
-    return radiusTowards(*maps.maps[std::size_t(maps.map_of_shape[shape])], maps.reliefs[shape], direction);
+    const auto underDisplaced = [&](const DisplacedSphere&) {
+        const dvec3 direction = point == dvec3(0.0) ? dvec3(0.0, 1.0, 0.0) : point;
+        return radiusTowards(*maps.maps[std::size_t(maps.map_of_shape[shape])], maps.reliefs[shape], direction);
+    };
+    return std::visit(Overloads{underDisplaced, [](const Sphere& sphere) { return sphere.radius; },
+                                [](const Disk&) { return 0.0; }, [](const TriangleMesh&) { return 0.0; }},
+                      scene.shapes[shape].geometry);
 }
 
 }  // namespace

@@ -114,21 +114,30 @@ LightSample Lights::sample(int k, const dvec3& point, const dvec3& g, const dvec
 
 double Lights::density(int k, const dvec3& point, const dvec3& g, const dvec3& direction) const {
     const Light& light = scene_->lights[std::size_t(k)];
-    if (const auto* infinite = std::get_if<InfiniteLight>(&light)) {
-        if (sky_) return sky_->density(glm::transpose(infinite->world_from_light) * direction);
+    const auto ofSky = [&](const InfiniteLight& sky) {
+        if (sky_) return sky_->density(glm::transpose(sky.world_from_light) * direction);
         return std::max(0.0, glm::dot(g, direction)) / kPi;
-    }
-    const auto* area = std::get_if<AreaLight>(&light);
-    if (!area) return 0.0;
-    const Shape& shape = scene_->shapes[std::size_t(area->shape)];
-    if (const auto* disk = std::get_if<Disk>(&shape.geometry)) {
-        const dmat4 to_object = glm::inverse(shape.world_from_object);
-        const FirstHit hit = hitDisk(
-            *disk, {.origin = transformPoint(to_object, point), .direction = transformVector(to_object, direction)});
-        const Ring from = ring(*area);
-        return hit.hit ? hit.t() * hit.t() / (from.area * std::abs(glm::dot(from.normal, direction))) : 0.0;
-    }
-    const Ball from = ball(*area);
+    };
+    const auto ofArea = [&](const AreaLight& area) {
+        const bool disk = std::holds_alternative<Disk>(scene_->shapes[std::size_t(area.shape)].geometry);
+        return disk ? densityOfDisk(area, point, direction) : densityOfBall(area, point, direction);
+    };
+    return std::visit(
+        Overloads{[](const DistantLight&) { return 0.0; }, [](const PointLight&) { return 0.0; }, ofSky, ofArea},
+        light);
+}
+
+double Lights::densityOfDisk(const AreaLight& light, const dvec3& point, const dvec3& direction) const {
+    const Shape& shape = scene_->shapes[std::size_t(light.shape)];
+    const dmat4 to_object = glm::inverse(shape.world_from_object);
+    const FirstHit hit = hitDisk(std::get<Disk>(shape.geometry), {.origin = transformPoint(to_object, point),
+                                                                  .direction = transformVector(to_object, direction)});
+    const Ring from = ring(light);
+    return hit.hit ? hit.t() * hit.t() / (from.area * std::abs(glm::dot(from.normal, direction))) : 0.0;
+}
+
+double Lights::densityOfBall(const AreaLight& light, const dvec3& point, const dvec3& direction) const {
+    const Ball from = ball(light);
     const dvec3 axis = from.centre - point;
     const double distance = glm::length(axis);
     if (!(distance > from.radius) || !(glm::dot(axis, direction) > 0.0)) return 0.0;

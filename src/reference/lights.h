@@ -62,6 +62,8 @@ class Lights {
     Ring ring(const AreaLight& light) const;
     LightSample sampleBall(const AreaLight& light, const dvec3& point, const dvec2& u) const;
     LightSample sampleDisk(const AreaLight& light, const dvec3& point, const dvec2& u) const;
+    double densityOfDisk(const AreaLight& light, const dvec3& point, const dvec3& direction) const;
+    double densityOfBall(const AreaLight& light, const dvec3& point, const dvec3& direction) const;
     LightSample sampleSky(const InfiniteLight& light, const dvec3& g, const dvec2& u) const;
 
     const Scene* scene_;

@@ -1,5 +1,6 @@
 // The tracer's textures and direct light.
 
+#include "base/overloads.h"
 #include "reference/colour.h"
 #include "reference/frame.h"
 #include "reference/tracer.h"
@@ -26,19 +27,22 @@ dvec3 Tracer::reflectance(int shape, const dvec3& object_position) const {
     const Shape& what = scene_->shapes[std::size_t(shape)];
     const Texture* texture = textureOf(what.material);
     if (!texture) return dvec3(1.0);
-    if (const auto* constant = std::get_if<ConstantColour>(texture)) return constant->rgb;
-    if (const auto* squares = std::get_if<Checkerboard>(texture))
-        return checkerboardColour(*squares, surfaceUv(what, object_position));
-    if (const auto* picture = std::get_if<ImageMap>(texture)) {
+    const auto ofHeight = [&](const HeightRamp& by_height) {
+        const int ramp = findRamp(by_height.ramp);
+        const Surface* displaced = surface(shape);
+        assert(ramp >= 0 && displaced && "the parser lets ramps onto displaced spheres only, by known names");
+        const dvec3 colour = rampColour(ramps()[std::size_t(ramp)], displaced->height(object_position));
+        return glm::clamp(by_height.scale * colour, 0.0, 1.0);
+    };
+    const auto ofImage = [&](const ImageMap& image) {
         assert(std::size_t(shape) < images_.size() && images_[std::size_t(shape)] && "an image map needs its image");
-        return imageColour(what, *picture, *images_[std::size_t(shape)], object_position);
-    }
-    const HeightRamp& by_height = std::get<HeightRamp>(*texture);
-    const int ramp = findRamp(by_height.ramp);
-    const Surface* displaced = surface(shape);
-    assert(ramp >= 0 && displaced && "the parser lets ramps onto displaced spheres only, by known names");
-    const dvec3 colour = rampColour(ramps()[std::size_t(ramp)], displaced->height(object_position));
-    return glm::clamp(by_height.scale * colour, 0.0, 1.0);
+        return imageColour(what, image, *images_[std::size_t(shape)], object_position);
+    };
+    const auto ofBoard = [&](const Checkerboard& board) {
+        return checkerboardColour(board, surfaceUv(what, object_position));
+    };
+    return std::visit(
+        Overloads{[](const ConstantColour& constant) { return constant.rgb; }, ofHeight, ofImage, ofBoard}, *texture);
 }
 
 dvec3 Tracer::emission(const ShadingPoint& point) const {

@@ -101,9 +101,17 @@ FilterTable filterTable(const PixelFilter& filter, double radius) {
 }
 
 int filterKind(const PixelFilter& filter) {
-    if (filter.kind == PixelFilter::Kind::Box) return FILTER_BOX;
-    const bool is_signed = filter.kind == PixelFilter::Kind::Mitchell || filter.kind == PixelFilter::Kind::Sinc;
-    return is_signed ? FILTER_SIGNED : FILTER_POSITIVE;
+    switch (filter.kind) {
+        case PixelFilter::Kind::Box:
+            return FILTER_BOX;
+        case PixelFilter::Kind::Gaussian:
+        case PixelFilter::Kind::Triangle:
+            return FILTER_POSITIVE;
+        case PixelFilter::Kind::Mitchell:
+        case PixelFilter::Kind::Sinc:
+            return FILTER_SIGNED;
+    }
+    return FILTER_SIGNED;
 }
 
 }  // namespace dsphere

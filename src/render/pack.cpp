@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "base/overloads.h"
 #include "render/narrow.h"
 #include "render/packlevels.h"
 #include "render/packlight.h"
@@ -148,20 +149,30 @@ void packImages(PackedScene& packed, const Scene& scene, const SceneMaps& maps) 
     packed.light_image = maps.light_image;
 }
 
-void packMaterial(ObjectData& object, const Shape& shape, const Relief& relief) {
+void packTexture(ObjectData& object, const Texture& texture) {
+    std::visit(Overloads{[&](const ConstantColour& constant) { object.albedo = narrow(constant.rgb, 1.0); },
+                         [&](const HeightRamp& ramp) {
+                             object.ramp = findRamp(ramp.ramp);
+                             object.texture_scale = narrow(ramp.scale, 1.0);
+                         },
+                         [&](const ImageMap& image) { object.texture_scale = narrow(image.scale, 1.0); },
+                         [&](const Checkerboard& board) { object.albedo = narrow(board.even, 1.0); }},
+               texture);
+}
+
+/// The colour of a shape's material; packMaterials has the rest of it.
+void packColour(ObjectData& object, const Shape& shape, const Relief& relief) {
     object.ramp = -1;
     object.ramp_offset = float(relief.h_offset);
     object.ramp_scale = float(relief.h_scale);
-    if (const auto* constant = textureAs<ConstantColour>(shape.material)) object.albedo = narrow(constant->rgb, 1.0);
-    if (const auto* board = textureAs<Checkerboard>(shape.material)) object.albedo = narrow(board->even, 1.0);
-    if (const auto* mirror = std::get_if<Mirror>(&shape.material)) object.albedo = narrow(mirror->reflectance, 1.0);
-    if (const auto* metal = std::get_if<Conductor>(&shape.material))
-        for (int c = 0; c < 3; ++c) object.albedo[c] = float(fresnelOf(1.0, metal->eta[c], metal->k[c]));
-    if (const auto* ramp = textureAs<HeightRamp>(shape.material)) {
-        object.ramp = findRamp(ramp->ramp);
-        object.texture_scale = narrow(ramp->scale, 1.0);
-    }
-    if (const auto* image = textureAs<ImageMap>(shape.material)) object.texture_scale = narrow(image->scale, 1.0);
+    std::visit(Overloads{[&](const Matte& matte) { packTexture(object, matte.reflectance); },
+                         [&](const Conductor& metal) {
+                             for (int c = 0; c < 3; ++c)
+                                 object.albedo[c] = float(fresnelOf(1.0, metal.eta[c], metal.k[c]));
+                         },
+                         [&](const Mirror& mirror) { object.albedo = narrow(mirror.reflectance, 1.0); },
+                         [&](const Plastic& plastic) { packTexture(object, plastic.diffuse); }},
+               shape.material);
 }
 
 int findOrAddRelief(PackedScene& packed, int map, const Relief& relief, Levels levels) {
@@ -186,37 +197,33 @@ int findOrAddRelief(PackedScene& packed, int map, const Relief& relief, Levels l
 double packGeometry(ObjectData& object, PackedScene& packed, const Shape& shape, int map, const Relief& relief,
                     Levels levels) {
     packed.relief_of_object.push_back(-1);
+    object.kind = geometryKind(shape.geometry);
     object.base = 1.0f;
     object.offset = float(kSecondaryOffset);
     object.shell_squared = float((1.0 + Bounds::kSlack) * (1.0 + Bounds::kSlack)) + 1.2e-7f;
-    if (std::holds_alternative<DisplacedSphere>(shape.geometry)) {
-        object.kind = KIND_DISPLACED;
+    const auto packDisplaced = [&](const DisplacedSphere&) {
         packed.relief_of_object.back() = findOrAddRelief(packed, map, relief, levels);
         double base = relief.base / relief.greatest_radius;
         object.base = float(base);
         object.base_lo = float(base - double(object.base));
         object.scale = float(relief.scale / relief.greatest_radius);
         return relief.greatest_radius;
-    }
-    if (const auto* disk = std::get_if<Disk>(&shape.geometry)) {
-        object.kind = KIND_DISK;
-        object.base = float(disk->height / disk->radius);
-        object.inner_squared = float(std::pow(disk->inner_radius / disk->radius, 2.0));
-        return disk->radius;
-    }
-    if (const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry)) {
-        object.kind = KIND_MESH;
-        return packMesh(object, *mesh, packed.triangles);
-    }
-    object.kind = KIND_SPHERE;
-    return std::get<Sphere>(shape.geometry).radius;
+    };
+    const auto packDisk = [&](const Disk& disk) {
+        object.base = float(disk.height / disk.radius);
+        object.inner_squared = float(std::pow(disk.inner_radius / disk.radius, 2.0));
+        return disk.radius;
+    };
+    return std::visit(Overloads{packDisplaced, [](const Sphere& sphere) { return sphere.radius; }, packDisk,
+                                [&](const TriangleMesh& mesh) { return packMesh(object, mesh, packed.triangles); }},
+                      shape.geometry);
 }
 
 static_assert(MAX_OBJECTS == limits::kShapes && MAX_LIGHTS == limits::kLights && MAX_MARCHES == limits::kMarches &&
               MAX_TRIANGLES == limits::kTriangles && MAX_DEPTH == limits::kMaxDepth);
 
 // The parser has checked a text's; scenes are made in code too.
-void requireLimits(const Scene& scene) {
+void requireLimits(const Scene& scene, std::size_t triangles) {
     if (scene.shapes.size() > std::size_t(MAX_OBJECTS))
         throwInvalid("{}: {} shapes; at most {} are supported", scene.name, scene.shapes.size(), MAX_OBJECTS);
     if (scene.lights.size() > std::size_t(MAX_LIGHTS))
@@ -226,9 +233,6 @@ void requireLimits(const Scene& scene) {
                      scene.name, scene.shapes.size(), scene.lights.size(), MAX_MARCHES);
     if (scene.integrator.max_depth > MAX_DEPTH)
         throwInvalid("{}: maxdepth {}; at most {} is supported", scene.name, scene.integrator.max_depth, MAX_DEPTH);
-    std::size_t triangles = 0;
-    for (const Shape& shape : scene.shapes)
-        if (const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry)) triangles += mesh->triangles.size();
     if (triangles > std::size_t(MAX_TRIANGLES))
         throwInvalid("{}: {} triangles; at most {} are supported", scene.name, triangles, MAX_TRIANGLES);
 }
@@ -251,15 +255,15 @@ void packCamera(PackedScene& packed, const Scene& scene) {
 
 void packLook(PackedScene& packed, const Scene& scene, const SceneMaps& maps) {
     for (std::size_t i = 0; i < scene.shapes.size(); ++i)
-        packMaterial(packed.objects[i], scene.shapes[i], maps.reliefs[i]);
+        packColour(packed.objects[i], scene.shapes[i], maps.reliefs[i]);
     packed.lights = packLights(scene, maps, packed.tables, centreOf(scene.shapes[0]));
     packed.materials = packMaterials(scene, packed.tables);
 }
 
 PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels) {
-    requireLimits(scene);
     PackedScene packed;
     packed.traits = traitsOf(scene);
+    requireLimits(scene, packed.traits.triangles);
     packed.memory_limit = maps.memory_limit;
     for (const auto& map : maps.maps) {
         packed.nodes.push_back(std::make_unique<NodeGrid>(*map));

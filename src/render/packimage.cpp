@@ -22,8 +22,12 @@ std::uint32_t bits(double value) {
 
 }  // namespace
 
+int imageKind(const ColourMap& image) {
+    return image.raw().srgb.empty() ? IMAGE_FLOATS : IMAGE_CODES;
+}
+
 PackedCentres packImage(layout::ObjectData& object, const ColourMap& image, double longitude_origin, double inner) {
-    object.image = image.raw().srgb.empty() ? IMAGE_FLOATS : IMAGE_CODES;
+    object.image = imageKind(image);
     object.image_width = image.width();
     object.image_height = image.height();
     object.image_north = layout::vec4(glm::vec3(image.north()), 1.0f);

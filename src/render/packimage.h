@@ -13,6 +13,9 @@ struct PackedCentres {
     std::vector<layout::vec4> columns, rows;
 };
 
+/// How its texels lie on the device: IMAGE_CODES or IMAGE_FLOATS.
+int imageKind(const ColourMap& image);
+
 /// Fills the object's image fields but for its place in the images. `object.kind` and `inner_squared` must be set;
 /// `longitude_origin` is the image's in degrees (displaced spheres), `inner` the disk's inner radius as a share of its
 /// radius.
@@ -31,7 +34,7 @@ class ImageWords {
     void appendRow(int j, std::vector<std::uint32_t>& words) const;
 
   private:
-    bool codes() const { return !image_->raw().srgb.empty(); }
+    bool codes() const { return imageKind(*image_) == IMAGE_CODES; }
 
     const ColourMap* image_;
 };

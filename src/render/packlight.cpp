@@ -2,6 +2,7 @@
 
 #include "base/overloads.h"
 #include "render/narrow.h"
+#include "render/packimage.h"
 #include "render/traits.h"
 
 #include <algorithm>
@@ -84,7 +85,7 @@ void packInfiniteLight(LightData& data, const InfiniteLight& light, const SceneM
     const ColourMap& image = *maps.images[std::size_t(maps.light_image)];
     data.width = image.width();
     data.height = image.height();
-    data.image = image.raw().srgb.empty() ? IMAGE_FLOATS : IMAGE_CODES;
+    data.image = imageKind(image);
     data.table = tables.light_image;
 }
 

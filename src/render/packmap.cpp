@@ -1,5 +1,6 @@
 #include "render/packmap.h"
 
+#include "render/traits.h"
 #include "surface/ripples.h"
 
 #include <algorithm>
@@ -25,11 +26,10 @@ float versin(double angle) {
 void packSurface(PackedMap& packed, const NodeGrid& nodes, const Relief& relief) {
     layout::MapData& data = packed.data;
     data.cap_rows = nodes.capRows();
-    data.surface = relief.filter == Filter::BSpline ? SURFACE_SPLINE : SURFACE_BILINEAR;
-    data.smooth_normals = relief.smooth_normals ? 1 : 0;
     const Heightmap& map = nodes.map();
+    data.surface = surfaceKind(relief.filter, map.ripples.has_value());
+    data.smooth_normals = relief.smooth_normals ? 1 : 0;
     if (!map.ripples) return;
-    data.surface = SURFACE_RIPPLES;
     data.phase_u = float(map.ripples->u_frequency * nodes.cellWidth());
     data.phase_v = float(map.ripples->v_frequency * nodes.cellHeight());
     for (int i = 0; i < nodes.width(); ++i)

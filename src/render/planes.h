@@ -3,9 +3,9 @@
 #include "shaders/layout.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace dsphere {
 
@@ -17,7 +17,7 @@ struct PlaneInfo {
 };
 
 /// All planes in layer order.
-const std::vector<PlaneInfo>& planeInfos();
+std::span<const PlaneInfo> planeInfos();
 
 inline constexpr std::uint32_t planeBit(int plane) {
     return 1u << plane;
@@ -28,8 +28,10 @@ inline constexpr std::uint32_t kAlphaPlane = planeBit(PLANE_A);
 inline constexpr std::uint32_t kAovPlanes = (planeBit(PLANE_RESIDUAL + 1) - 1u) & ~(kColourPlanes | kAlphaPlane);
 inline constexpr std::uint32_t kVerifyPlanes = (planeBit(PLANE_COUNT) - 1u) & ~kAlphaPlane;
 
-/// "all", or a comma-separated list of t, P, N, Ns, u, v, Albedo, id, lit, steps, residual; "" is none. Error (Usage)
-/// names the unknown word.
+/// What users call those planes, a word for all that it has: t, P, N, Ns, u, v, Albedo, id, ...
+std::string aovNames(std::string_view separator);
+
+/// "all", or a comma-separated list of aovNames(); "" is none. Error (Usage) names the unknown word.
 std::uint32_t parseAovs(std::string_view list);
 
 }  // namespace dsphere

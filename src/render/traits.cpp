@@ -13,17 +13,16 @@ std::uint32_t bit(int place) {
     return 1u << place;
 }
 
-std::uint32_t surfacesOf(const DisplacedSphere& sphere) {
-    if (sphere.ripples) return bit(SURFACE_RIPPLES);
-    if (sphere.filter == Filter::BSpline) return bit(SURFACE_SPLINE);
-    return bit(SURFACE_BILINEAR) | (sphere.smooth_normals ? bit(SURFACE_SMOOTH_NORMALS) : 0u);
-}
+// layout.h and the scene know the same kinds: of lights, the device tells apart those with an image and without, and
+// spheres and disks.
+static_assert(std::variant_size_v<Geometry> == KIND_COUNT);
+static_assert(std::variant_size_v<Material> == MATERIAL_COUNT);
+static_assert(std::variant_size_v<Light> + 2 == LIGHT_COUNT);
 
-int geometryKind(const Geometry& geometry) {
-    return std::visit(
-        Overloads{[](const DisplacedSphere&) { return KIND_DISPLACED; }, [](const Sphere&) { return KIND_SPHERE; },
-                  [](const Disk&) { return KIND_DISK; }, [](const TriangleMesh&) { return KIND_MESH; }},
-        geometry);
+std::uint32_t surfacesOf(const DisplacedSphere& sphere) {
+    const int surface = surfaceKind(sphere.filter, sphere.ripples.has_value());
+    const bool smooth = surface == SURFACE_BILINEAR && sphere.smooth_normals;
+    return bit(surface) | (smooth ? bit(SURFACE_SMOOTH_NORMALS) : 0u);
 }
 
 int onlyShape(const Scene& scene, bool displaced) {
@@ -63,6 +62,24 @@ bool SceneTraits::needsPaths() const {
     return paths.materials != bit(MATERIAL_MATTE) || (paths.light_kinds & ~delta_lights) != 0 || paths.rough_mattes ||
            paths.checkerboards || paths.meshes || paths.diffuse_paths || paths.clamp > 0.0f ||
            paths.filter != FILTER_BOX || paths.radius_x != 0.5f || paths.radius_y != 0.5f;
+}
+
+int geometryKind(const Geometry& geometry) {
+    return std::visit(
+        Overloads{[](const DisplacedSphere&) { return KIND_DISPLACED; }, [](const Sphere&) { return KIND_SPHERE; },
+                  [](const Disk&) { return KIND_DISK; }, [](const TriangleMesh&) { return KIND_MESH; }},
+        geometry);
+}
+
+int surfaceKind(Filter filter, bool ripples) {
+    if (ripples) return SURFACE_RIPPLES;
+    switch (filter) {
+        case Filter::Bilinear:
+            return SURFACE_BILINEAR;
+        case Filter::BSpline:
+            return SURFACE_SPLINE;
+    }
+    return SURFACE_BILINEAR;
 }
 
 int lightKind(const Scene& scene, const Light& light) {

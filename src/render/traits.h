@@ -42,7 +42,9 @@ struct SceneTraits {
 
 SceneTraits traitsOf(const Scene& scene);
 
-/// LIGHT_ and MATERIAL_ of the scene's.
+/// KIND_, SURFACE_, LIGHT_ and MATERIAL_ of the scene's.
+int geometryKind(const Geometry& geometry);
+int surfaceKind(Filter filter, bool ripples);
 int lightKind(const Scene& scene, const Light& light);
 int materialKind(const Material& material);
 

@@ -1,6 +1,7 @@
 #include "scene/motion.h"
 
 #include "base/error.h"
+#include "base/overloads.h"
 #include "scene/globeview.h"
 #include "scene/transforms.h"
 
@@ -59,11 +60,11 @@ void turnTable(Scene& scene, double degrees) {
     turn[3] = dvec4(centre - transformVector(turn, centre), 1.0);
     const dmat4 back = glm::inverse(turn);
     scene.camera.camera_from_world = scene.camera.camera_from_world * turn;
-    for (Light& light : scene.lights) {
-        if (auto* sun = std::get_if<DistantLight>(&light)) sun->direction = transformVector(back, sun->direction);
-        if (auto* point = std::get_if<PointLight>(&light)) point->position = transformPoint(back, point->position);
-        if (auto* sky = std::get_if<InfiniteLight>(&light)) sky->world_from_light = dmat3(back) * sky->world_from_light;
-    }
+    const auto move = Overloads{[&](DistantLight& sun) { sun.direction = transformVector(back, sun.direction); },
+                                [&](PointLight& lamp) { lamp.position = transformPoint(back, lamp.position); },
+                                [&](InfiniteLight& sky) { sky.world_from_light = dmat3(back) * sky.world_from_light; },
+                                [](AreaLight&) {}};
+    for (Light& light : scene.lights) std::visit(move, light);
 }
 
 dvec3 Motion::vector(Column first, double frame) const {

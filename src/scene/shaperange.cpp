@@ -1,6 +1,7 @@
 #include "scene/shaperange.h"
 
 #include "base/limits.h"
+#include "base/overloads.h"
 #include "scene/diagnostics.h"
 
 #include <algorithm>
@@ -20,13 +21,22 @@ struct Extent {
 };
 
 Extent extentOf(const Geometry& geometry) {
-    if (const auto* displaced = std::get_if<DisplacedSphere>(&geometry)) return {displaced->radius, dvec3(0.0)};
-    if (const auto* sphere = std::get_if<Sphere>(&geometry)) return {sphere->radius, dvec3(0.0)};
-    if (const auto* disk = std::get_if<Disk>(&geometry)) return {disk->radius, {0.0, 0.0, disk->height}};
-    const auto& mesh = std::get<TriangleMesh>(geometry);
-    Extent extent{0.0, middleOf(mesh)};
-    for (const dvec3& point : mesh.points) extent.size = std::max(extent.size, greatest(point - extent.middle));
-    return extent;
+    const auto ofMesh = [](const TriangleMesh& mesh) {
+        Extent extent{0.0, middleOf(mesh)};
+        for (const dvec3& point : mesh.points) extent.size = std::max(extent.size, greatest(point - extent.middle));
+        return extent;
+    };
+    return std::visit(Overloads{[](const DisplacedSphere& sphere) {
+                                    return Extent{sphere.radius, dvec3(0.0)};
+                                },
+                                [](const Sphere& sphere) {
+                                    return Extent{sphere.radius, dvec3(0.0)};
+                                },
+                                [](const Disk& disk) {
+                                    return Extent{disk.radius, dvec3(0.0, 0.0, disk.height)};
+                                },
+                                ofMesh},
+                      geometry);
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include "base/overloads.h"
 #include "scene/directives.h"
 #include "scene/ramps.h"
 
@@ -112,8 +113,11 @@ Texture scaled(Statement s, Parameters& p) {
 Texture textureValue(Statement s, const Parameter& parameter) {
     if (parameter.type == "rgb") return ConstantColour{tripleValue(parameter, kFraction)};
     Texture texture = textureNamed(s, parameter);
-    if (auto* constant = std::get_if<ConstantColour>(&texture)) constant->rgb = cut(constant->rgb);
-    if (auto* board = std::get_if<Checkerboard>(&texture)) board->even = cut(board->even), board->odd = cut(board->odd);
+    // Those that vary by a map are cut where they are read.
+    std::visit(Overloads{[](ConstantColour& constant) { constant.rgb = cut(constant.rgb); }, [](HeightRamp&) {},
+                         [](ImageMap&) {},
+                         [](Checkerboard& board) { board.even = cut(board.even), board.odd = cut(board.odd); }},
+               texture);
     return texture;
 }
 

@@ -1,5 +1,6 @@
 #include "verify/compare.h"
 
+#include "base/overloads.h"
 #include "reference/mesh.h"
 #include "verify/nearby.h"
 
@@ -37,11 +38,13 @@ Comparison::Comparison(const Scene& scene, const SceneMaps& maps, Tolerance tole
       tracer_(scene, maps.perShape(), maps.reliefs, maps.imagePerShape(), maps.lightImage()) {}
 
 dvec3 Comparison::objectNormal(int shape, const dvec3& object_position) const {
-    if (const reference::Surface* surface = tracer_.surface(shape)) return surface->normal(object_position);
-    const auto& geometry = scene_.shapes[std::size_t(shape)].geometry;
-    if (const auto* mesh = std::get_if<TriangleMesh>(&geometry))
-        return reference::meshNormal(*mesh, reference::nearestOnMesh(*mesh, object_position).triangle);
-    return std::holds_alternative<Disk>(geometry) ? dvec3(0.0, 0.0, 1.0) : glm::normalize(object_position);
+    const auto ofMesh = [&](const TriangleMesh& mesh) {
+        return reference::meshNormal(mesh, reference::nearestOnMesh(mesh, object_position).triangle);
+    };
+    return std::visit(Overloads{[&](const DisplacedSphere&) { return tracer_.surface(shape)->normal(object_position); },
+                                [&](const Sphere&) { return glm::normalize(object_position); },
+                                [](const Disk&) { return dvec3(0.0, 0.0, 1.0); }, ofMesh},
+                      scene_.shapes[std::size_t(shape)].geometry);
 }
 
 // A hit at a distance of delta from the surface stands some delta / |cos| before or behind its root; 4 allows for the
@@ -136,16 +139,15 @@ WorldHit Comparison::checkHit(Report& report, std::uint64_t index, const WorldRa
 
 double Comparison::surfaceDistance(const Answer& answer) const {
     const dvec3& p = answer.object_position;
-    double distance = 0.0;
-    if (const reference::Surface* surface = tracer_.surface(answer.shape)) {
-        distance = std::abs(surface->f(p)) / glm::length(surface->gradient(p));
-    } else if (const auto* disk = std::get_if<Disk>(&scene_.shapes[std::size_t(answer.shape)].geometry)) {
-        distance = std::abs(p.z - disk->height);
-    } else if (const auto* mesh = std::get_if<TriangleMesh>(&scene_.shapes[std::size_t(answer.shape)].geometry)) {
-        distance = reference::nearestOnMesh(*mesh, p).distance;
-    } else {
-        distance = std::abs(glm::length(p) - unit(answer.shape));
-    }
+    const auto fromDisplaced = [&](const DisplacedSphere&) {
+        const reference::Surface& surface = *tracer_.surface(answer.shape);
+        return std::abs(surface.f(p)) / glm::length(surface.gradient(p));
+    };
+    const double distance = std::visit(
+        Overloads{fromDisplaced, [&](const Sphere& sphere) { return std::abs(glm::length(p) - sphere.radius); },
+                  [&](const Disk& disk) { return std::abs(p.z - disk.height); },
+                  [&](const TriangleMesh& mesh) { return reference::nearestOnMesh(mesh, p).distance; }},
+        scene_.shapes[std::size_t(answer.shape)].geometry);
     return distance / unit(answer.shape);
 }
 

@@ -122,25 +122,29 @@ ColourText scaledTexture(const std::string& name, const std::string& words, cons
 
 ColourText colourText(const Texture& texture, const char* parameter, const std::string& name,
                       const std::filesystem::path& folder) {
-    if (const auto* constant = std::get_if<ConstantColour>(&texture))
-        return {"", fmt::format(" \"rgb {}\" {}", parameter, triple(constant->rgb))};
-    if (const auto* ramp = std::get_if<HeightRamp>(&texture))
-        return scaledTexture(name, fmt::format("\"heightramp\" \"string ramp\" {}", inQuotes(ramp->ramp)), ramp->scale,
+    const auto constantText = [&](const ConstantColour& constant) -> ColourText {
+        return {"", fmt::format(" \"rgb {}\" {}", parameter, triple(constant.rgb))};
+    };
+    const auto rampText = [&](const HeightRamp& ramp) {
+        return scaledTexture(name, fmt::format("\"heightramp\" \"string ramp\" {}", inQuotes(ramp.ramp)), ramp.scale,
                              parameter);
-    if (const auto* image = std::get_if<ImageMap>(&texture)) {
-        std::string words = fmt::format("\"imagemap\" \"string filename\" {}", relativeTo(folder, image->path));
-        if (image->longitude_origin != -180.0) appendNumber(words, "lonorigin", image->longitude_origin);
-        const bool grey = image->scale == dvec3(image->scale.r);
-        if (grey) words += fmt::format(" \"float scale\" {}", number(image->scale.r));
-        return scaledTexture(name, words, grey ? dvec3(1.0) : image->scale, parameter);
-    }
-    const auto& board = std::get<Checkerboard>(texture);
-    return scaledTexture(
-        name,
-        fmt::format("\"checkerboard\" \"rgb tex1\" {} \"rgb tex2\" {} \"float uscale\" {} "
-                    "\"float vscale\" {}",
-                    triple(board.even), triple(board.odd), number(board.u_scale), number(board.v_scale)),
-        dvec3(1.0), parameter);
+    };
+    const auto imageText = [&](const ImageMap& image) {
+        std::string words = fmt::format("\"imagemap\" \"string filename\" {}", relativeTo(folder, image.path));
+        if (image.longitude_origin != -180.0) appendNumber(words, "lonorigin", image.longitude_origin);
+        const bool grey = image.scale == dvec3(image.scale.r);
+        if (grey) words += fmt::format(" \"float scale\" {}", number(image.scale.r));
+        return scaledTexture(name, words, grey ? dvec3(1.0) : image.scale, parameter);
+    };
+    const auto boardText = [&](const Checkerboard& board) {
+        return scaledTexture(
+            name,
+            fmt::format("\"checkerboard\" \"rgb tex1\" {} \"rgb tex2\" {} \"float uscale\" {} "
+                        "\"float vscale\" {}",
+                        triple(board.even), triple(board.odd), number(board.u_scale), number(board.v_scale)),
+            dvec3(1.0), parameter);
+    };
+    return std::visit(Overloads{constantText, rampText, imageText, boardText}, texture);
 }
 
 std::string roughness(double alpha) {
@@ -185,15 +189,14 @@ std::string infiniteText(const InfiniteLight& light, const std::filesystem::path
     return text + "\nAttributeEnd\n";
 }
 
-/// Of a light that is no shape's.
-std::string lightText(const Light& light, const std::filesystem::path& folder) {
-    if (const auto* distant = std::get_if<DistantLight>(&light))
-        return fmt::format("LightSource \"distant\" \"point3 from\" {} \"point3 to\" [0 0 0] \"rgb L\" {}\n",
-                           triple(survivingMultiple(distant->direction)), triple(distant->radiance));
-    if (const auto* infinite = std::get_if<InfiniteLight>(&light)) return infiniteText(*infinite, folder);
-    const auto& point = std::get<PointLight>(light);
-    return fmt::format("LightSource \"point\" \"point3 from\" {} \"rgb I\" {}\n", triple(point.position),
-                       triple(point.intensity));
+std::string distantText(const DistantLight& light) {
+    return fmt::format("LightSource \"distant\" \"point3 from\" {} \"point3 to\" [0 0 0] \"rgb L\" {}\n",
+                       triple(survivingMultiple(light.direction)), triple(light.radiance));
+}
+
+std::string pointText(const PointLight& light) {
+    return fmt::format("LightSource \"point\" \"point3 from\" {} \"rgb I\" {}\n", triple(light.position),
+                       triple(light.intensity));
 }
 
 // A shape that shines is a light where it stands: shapes go between the lights so that both keep their order.
@@ -203,15 +206,15 @@ std::string worldText(const Scene& scene, const std::filesystem::path& folder) {
     auto shapesBefore = [&](std::size_t end) {
         for (; next < end; ++next) text += shapeText(scene.shapes[next], next, nullptr, folder);
     };
-    for (const Light& light : scene.lights) {
-        if (const auto* area = std::get_if<AreaLight>(&light)) {
-            shapesBefore(std::size_t(area->shape));
-            text += shapeText(scene.shapes[next], next, area, folder);
-            ++next;
-        } else {
-            text += lightText(light, folder);
-        }
-    }
+    const auto append = Overloads{[&](const DistantLight& light) { text += distantText(light); },
+                                  [&](const PointLight& light) { text += pointText(light); },
+                                  [&](const InfiniteLight& light) { text += infiniteText(light, folder); },
+                                  [&](const AreaLight& light) {
+                                      shapesBefore(std::size_t(light.shape));
+                                      text += shapeText(scene.shapes[next], next, &light, folder);
+                                      ++next;
+                                  }};
+    for (const Light& light : scene.lights) std::visit(append, light);
     shapesBefore(scene.shapes.size());
     return text;
 }
