@@ -40,7 +40,6 @@ dvec3 bouncedFresnel(const Conductor& metal, double mean_lost) {
 
 }  // namespace
 
-// Oren and Nayar 1994, "Generalization of Lambert's reflectance model", the simple form (their equation 30).
 Material softened(Material material) {
     using Found = double*;
     double* const alpha = std::visit(
@@ -54,6 +53,7 @@ Material softened(Material material) {
     return material;
 }
 
+// Oren and Nayar 1994, "Generalization of Lambert's reflectance model", the simple form (their equation 30).
 double orenNayar(double sigma_degrees, const dvec3& l, const dvec3& v) {
     if (sigma_degrees == 0.0) return 1.0;
     const double sigma2 = glm::radians(sigma_degrees) * glm::radians(sigma_degrees);

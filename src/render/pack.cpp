@@ -6,6 +6,7 @@
 #include "render/narrow.h"
 #include "render/packlevels.h"
 #include "render/packlight.h"
+#include "render/packmaterial.h"
 #include "render/packmesh.h"
 #include "scene/ramps.h"
 
@@ -147,32 +148,6 @@ void packImages(PackedScene& packed, const Scene& scene, const SceneMaps& maps) 
         packed.centres.back() = packImage(packed.objects[i], *image, longitude_origin, innerShareOf(shape));
     }
     packed.light_image = maps.light_image;
-}
-
-void packTexture(ObjectData& object, const Texture& texture) {
-    std::visit(Overloads{[&](const ConstantColour& constant) { object.albedo = narrow(constant.rgb, 1.0); },
-                         [&](const HeightRamp& ramp) {
-                             object.ramp = findRamp(ramp.ramp);
-                             object.texture_scale = narrow(ramp.scale, 1.0);
-                         },
-                         [&](const ImageMap& image) { object.texture_scale = narrow(image.scale, 1.0); },
-                         [&](const Checkerboard& board) { object.albedo = narrow(board.even, 1.0); }},
-               texture);
-}
-
-/// The colour of a shape's material; packMaterials has the rest of it.
-void packColour(ObjectData& object, const Shape& shape, const Relief& relief) {
-    object.ramp = -1;
-    object.ramp_offset = float(relief.h_offset);
-    object.ramp_scale = float(relief.h_scale);
-    std::visit(Overloads{[&](const Matte& matte) { packTexture(object, matte.reflectance); },
-                         [&](const Conductor& metal) {
-                             for (int c = 0; c < 3; ++c)
-                                 object.albedo[c] = float(fresnelOf(1.0, metal.eta[c], metal.k[c]));
-                         },
-                         [&](const Mirror& mirror) { object.albedo = narrow(mirror.reflectance, 1.0); },
-                         [&](const Plastic& plastic) { packTexture(object, plastic.diffuse); }},
-               shape.material);
 }
 
 int findOrAddRelief(PackedScene& packed, int map, const Relief& relief, Levels levels) {

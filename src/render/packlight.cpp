@@ -13,7 +13,6 @@ namespace dsphere {
 namespace {
 
 using layout::LightData;
-using layout::MaterialData;
 using layout::vec4;
 
 double brightness(const dvec3& rgb) {
@@ -89,57 +88,6 @@ void packInfiniteLight(LightData& data, const InfiniteLight& light, const SceneM
     data.table = tables.light_image;
 }
 
-// 2 int F c dc, by midpoints.
-double meanFresnel(double eta, double k) {
-    constexpr int kSteps = 256;
-    double sum = 0.0;
-    for (int i = 0; i < kSteps; ++i) {
-        const double cosine = (i + 0.5) / kSteps;
-        sum += 2.0 * fresnelOf(cosine, eta, k) * cosine / kSteps;
-    }
-    return sum;
-}
-
-void packConductor(MaterialData& data, const Conductor& conductor, const PathTables& tables) {
-    const PathTables::Loss& loss = tables.losses.at(conductor.alpha);
-    data.table = loss.place;
-    data.alpha = float(conductor.alpha);
-    data.eta = narrow(conductor.eta, 0.0);
-    data.k = narrow(conductor.k, 0.0);
-    if (loss.mean < 1e-9) return;
-    for (int c = 0; c < 3; ++c) {
-        const double fresnel = meanFresnel(conductor.eta[c], conductor.k[c]);
-        const double of_bounced = fresnel * fresnel * (1.0 - loss.mean) / (1.0 - fresnel * loss.mean);
-        data.bounced[c] = float(of_bounced / (kPi * loss.mean));
-    }
-}
-
-void packMatte(MaterialData& data, const Matte& matte) {
-    const double sigma = glm::radians(matte.sigma), variance = sigma * sigma;
-    data.rough_a = float(1.0 - variance / (2.0 * (variance + 0.33)));
-    data.rough_b = float(0.45 * variance / (variance + 0.09));
-}
-
-MaterialData packMaterial(const Material& material, const PathTables& tables) {
-    MaterialData data = {};
-    data.kind = materialKind(material);
-    const auto pack = Overloads{[&](const Matte& matte) { packMatte(data, matte); },
-                                [&](const Conductor& metal) { packConductor(data, metal, tables); },
-                                [&](const Mirror& mirror) { data.specular = narrow(mirror.reflectance, 0.0); },
-                                [&](const Plastic& plastic) {
-                                    data.specular = narrow(plastic.specular, 0.0);
-                                    data.alpha = float(plastic.alpha);
-                                }};
-    std::visit(pack, material);
-    if (const auto* board = textureAs<Checkerboard>(material)) {
-        data.odd = narrow(board->odd, 0.0);
-        data.checkerboard = 1;
-        data.u_scale = float(board->u_scale);
-        data.v_scale = float(board->v_scale);
-    }
-    return data;
-}
-
 }  // namespace
 
 std::vector<LightData> packLights(const Scene& scene, const SceneMaps& maps, const PathTables& tables,
@@ -167,15 +115,6 @@ std::vector<LightData> packLights(const Scene& scene, const SceneMaps& maps, con
     }
     if (!lights.empty()) shareOut(lights, irradiances);
     return lights;
-}
-
-std::vector<MaterialData> packMaterials(const Scene& scene, const PathTables& tables) {
-    std::vector<MaterialData> materials;
-    for (const Shape& shape : scene.shapes) materials.push_back(packMaterial(shape.material, tables));
-    if (!scene.integrator.regularize) return materials;
-    materials.resize(MAX_OBJECTS);
-    for (const Shape& shape : scene.shapes) materials.push_back(packMaterial(regularized(shape.material), tables));
-    return materials;
 }
 
 }  // namespace dsphere

@@ -14,7 +14,4 @@ namespace dsphere {
 std::vector<layout::LightData> packLights(const Scene& scene, const SceneMaps& maps, const PathTables& tables,
                                           const dvec3& first_centre);
 
-/// What the shapes are made of, one a shape; where the integrator asks for it the regularized ones from MAX_OBJECTS on.
-std::vector<layout::MaterialData> packMaterials(const Scene& scene, const PathTables& tables);
-
 }  // namespace dsphere

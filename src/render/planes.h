@@ -24,8 +24,8 @@ inline constexpr std::uint32_t planeBit(int plane) {
 }
 inline constexpr std::uint32_t kColourPlanes = 7u << PLANE_R;
 inline constexpr std::uint32_t kAlphaPlane = planeBit(PLANE_A);
-/// The arbitrary output variables that users may ask for; the planes beyond are for verify.
-inline constexpr std::uint32_t kAovPlanes = (planeBit(PLANE_RESIDUAL + 1) - 1u) & ~(kColourPlanes | kAlphaPlane);
+/// The arbitrary output variables that users may ask for: the planes from PLANE_OBJECT_PX on are for verify.
+inline constexpr std::uint32_t kAovPlanes = (planeBit(PLANE_OBJECT_PX) - 1u) & ~(kColourPlanes | kAlphaPlane);
 inline constexpr std::uint32_t kVerifyPlanes = (planeBit(PLANE_COUNT) - 1u) & ~kAlphaPlane;
 
 /// What users call those planes, a word for all that it has: t, P, N, Ns, u, v, Albedo, id, ...

@@ -16,7 +16,6 @@ std::uint32_t bit(int place) {
 // layout.h and the scene know the same kinds: of lights, the device tells apart those with an image and without, and
 // spheres and disks.
 static_assert(std::variant_size_v<Geometry> == KIND_COUNT);
-static_assert(std::variant_size_v<Material> == MATERIAL_COUNT);
 static_assert(std::variant_size_v<Light> + 2 == LIGHT_COUNT);
 
 std::uint32_t surfacesOf(const DisplacedSphere& sphere) {
@@ -92,13 +91,6 @@ int lightKind(const Scene& scene, const Light& light) {
                   [](const InfiniteLight& sky) { return sky.map_path.empty() ? LIGHT_INFINITE : LIGHT_IMAGE; },
                   ofShape},
         light);
-}
-
-int materialKind(const Material& material) {
-    return std::visit(
-        Overloads{[](const Matte&) { return MATERIAL_MATTE; }, [](const Conductor&) { return MATERIAL_CONDUCTOR; },
-                  [](const Mirror&) { return MATERIAL_MIRROR; }, [](const Plastic&) { return MATERIAL_PLASTIC; }},
-        material);
 }
 
 SceneTraits traitsOf(const Scene& scene) {

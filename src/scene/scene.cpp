@@ -37,6 +37,18 @@ Material regularized(Material material) {
     return material;
 }
 
+Texture matteTextureOf(const Material& material) {
+    const auto ofMetal = [](const Conductor& metal) -> Texture {
+        // Fresnel's reflectance at normal incidence.
+        const dvec3 below = metal.eta - 1.0, above = metal.eta + 1.0, k2 = metal.k * metal.k;
+        return ConstantColour{(below * below + k2) / (above * above + k2)};
+    };
+    return std::visit(Overloads{[](const Matte& matte) { return matte.reflectance; }, ofMetal,
+                                [](const Mirror& mirror) -> Texture { return ConstantColour{mirror.reflectance}; },
+                                [](const Plastic& plastic) { return plastic.diffuse; }},
+                      material);
+}
+
 const Texture* textureOf(const Material& material) {
     using Found = const Texture*;
     return std::visit(

@@ -228,6 +228,9 @@ Material regularized(Material material);
 const Texture* textureOf(const Material& material);
 Texture* textureOf(Material& material);
 
+/// The texture of the matte material that looks most like this one.
+Texture matteTextureOf(const Material& material);
+
 using Geometry = std::variant<DisplacedSphere, Sphere, Disk, TriangleMesh>;
 
 struct Shape {

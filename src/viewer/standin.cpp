@@ -12,21 +12,8 @@ namespace {
 
 constexpr double kHiddenRadius = 1e-4;  // of a sphere that nobody sees, in the shape's own units
 
-/// Fresnel's reflectance at normal incidence.
-dvec3 facing(const Conductor& metal) {
-    const dvec3 below = metal.eta - 1.0, above = metal.eta + 1.0, k2 = metal.k * metal.k;
-    return (below * below + k2) / (above * above + k2);
-}
-
-struct MatteOf {
-    Texture operator()(const Matte& matte) const { return matte.reflectance; }
-    Texture operator()(const Conductor& metal) const { return ConstantColour{facing(metal)}; }
-    Texture operator()(const Mirror& mirror) const { return ConstantColour{mirror.reflectance}; }
-    Texture operator()(const Plastic& plastic) const { return plastic.diffuse; }
-};
-
 Texture plainTexture(const Material& material) {
-    const Texture texture = std::visit(MatteOf{}, material);
+    const Texture texture = matteTextureOf(material);
     if (const auto* squares = std::get_if<Checkerboard>(&texture))
         return ConstantColour{0.5 * (squares->even + squares->odd)};
     return texture;

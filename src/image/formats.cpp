@@ -1,10 +1,10 @@
-#include "image/rawmap.h"
+// Which reader a file goes to: a format is told by its first bytes.
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "image/codecs.h"
+#include "image/picture.h"
 
 namespace dsphere {
 namespace {
@@ -17,13 +17,6 @@ Magic readMagic(InputFile& file) {
     file.read(magic.data(), std::min<std::uint64_t>(magic.size(), file.remaining()));
     file.rewind();
     return magic;
-}
-
-/// In lower case, with its dot.
-std::string extensionOf(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return extension;
 }
 
 bool hasGtxExtension(const std::filesystem::path& path) {
@@ -107,6 +100,32 @@ RawMap readRawMap(const std::filesystem::path& path) {
     file.invalid(
         "unknown format: it begins with the bytes {}, expected a PNG, PGM, PPM (P2 P3 P5 P6), TIFF, EXR or PFM, or a "
         "GTX grid named .gtx",
+        firstBytes(file));
+}
+
+RawColour readRawColour(const std::filesystem::path& path) {
+    InputFile file(path);
+    switch (formatOf(file)) {
+        case MapFormat::Png:
+            return readPngColour(file);
+        case MapFormat::Jpeg:
+            return readJpegColour(file);
+        case MapFormat::Pnm:
+            return readPnmColour(file);
+        case MapFormat::Pfm:
+            return readPfmColour(file);
+        case MapFormat::Tiff:
+            return readTiffColour(file);
+        case MapFormat::Exr:
+            return readExrColour(file);
+        case MapFormat::Empty:
+            file.invalid("is empty, expected a JPEG, PNG, PGM, PPM, PFM, TIFF or EXR image");
+        case MapFormat::Unknown:
+            break;
+    }
+    file.invalid(
+        "unknown format: it begins with the bytes {}, expected a JPEG, PNG, PGM, PPM (P2 P3 P5 P6), PFM, TIFF or EXR "
+        "image",
         firstBytes(file));
 }
 
