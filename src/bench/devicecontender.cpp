@@ -158,7 +158,6 @@ DeviceView::DeviceView(gpu::Device& device, const Scene& scene, const SceneMaps&
 void DeviceView::look(const View& view) {
     scene_.camera = view.camera;
     scene_.film = view.film;
-    packCamera(packed_, scene_);
     renderer_.setCamera(scene_);
 }
 

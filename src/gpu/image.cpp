@@ -41,8 +41,8 @@ void checkSize(const Device& device, const VkImageCreateInfo& create, std::uint6
     checkLimit(bytes, format.maxResourceSize, "the format's maxResourceSize", name);
 }
 
-// Lavapipe compiles a shader once for images with sides that are powers of two, and once more for others. So no side is
-// one but the greatest there can be, and what was compiled for some images serves all.
+// lavapipe compiles a shader once for images with sides that are powers of two and once more for others (rule L5). No
+// side is one but the greatest there can be, and what was compiled for some images serves all.
 std::uint32_t unevenSide(std::uint32_t side, const Limits& limits) {
     while (std::has_single_bit(side) && side < limits.max_image_dimension_2d) ++side;
     return side;

@@ -19,8 +19,8 @@ struct PipelineObjects {
 };
 
 /// The pipelines that a device used last. Drivers take from a tenth of a second to seconds to translate one, and not
-/// all of them (lavapipe) keep anything in a VkPipelineCache; here a shader that comes back specialised as before is
-/// found as it was, for the life of the device. For any thread.
+/// all of them (lavapipe) keep anything in a VkPipelineCache (rule L11); here a shader that comes back specialised as
+/// before is found as it was, for the life of the device. For any thread.
 class PipelineStore {
   public:
     static constexpr std::size_t kMost = 24;

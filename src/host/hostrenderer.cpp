@@ -50,27 +50,34 @@ void forPlanes(std::uint32_t mask, Use use) {
 HostRenderer::HostRenderer(const PackedScene& packed, const Scene& scene, const MarchMethod& method,
                            Precision precision)
     : scene_(packed),
+      state_(packed.state),
       method_(method),
       stride_(safeStride(packed, method)),
-      kernels_(kernelsFor(packed.traits, method, precision)),
-      crop_(cropBox(scene.film)),
-      display_{0, 0, scene.film.width, scene.film.height},
-      tiles_(tilesOf(shownSpans(packed.traits, packed.objects, crop_))) {}
+      kernels_(kernelsFor(packed.traits, method, precision)) {
+    setCamera(scene);
+}
 
 void HostRenderer::setCamera(const Scene& scene) {
-    scene_.update();
+    packCamera(state_, scene);
+    scene_.setState(state_);
     display_ = {0, 0, scene.film.width, scene.film.height};
     setCrop(cropBox(scene.film));
 }
 
 void HostRenderer::setCrop(const Box& crop) {
     crop_ = crop;
-    tiles_ = tilesOf(shownSpans(scene_.packed().traits, scene_.packed().objects, crop_));
+    tiles_ = tilesOf(shownSpans(scene_.packed().traits, state_.objects, crop_));
 }
 
-void HostRenderer::update(bool reliefs) {
-    if (reliefs) stride_ = safeStride(scene_.packed(), method_);
-    scene_.update();
+void HostRenderer::setLook(const Scene& scene, const SceneMaps& maps) {
+    packLook(state_, scene_.packed().tables, scene, maps);
+    scene_.setState(state_);
+}
+
+void HostRenderer::setPacking(const PackedScene& packed) {
+    state_ = packed.state;
+    scene_.setPacking(packed);
+    stride_ = safeStride(packed, method_);
 }
 
 // Zeroed; pixels that no tile holds are misses, with an infinite t.

@@ -9,12 +9,14 @@ namespace dsphere::host {
 /// Renders with the kernel compiled as C++, on all cores, without Vulkan.
 class HostRenderer final : public SceneRenderer {
   public:
-    /// The packed scene must outlive it. Error (InvalidInput) for a scene that the method cannot march.
+    /// With the camera and film of `scene`; the packed scene must outlive it. Error (InvalidInput) for a scene that the
+    /// method cannot march.
     HostRenderer(const PackedScene& packed, const Scene& scene, const MarchMethod& method, Precision precision);
 
     void setCamera(const Scene& scene) override;
     void setCrop(const Box& crop) override;
-    void update(bool reliefs) override;
+    void setLook(const Scene& scene, const SceneMaps& maps) override;
+    void setPacking(const PackedScene& packed) override;
     SampleSums renderSums(SampleSums start, int from, int to, std::uint32_t seed, const Progress& progress,
                           std::uint32_t planes = kColourPlanes) override;
     Image renderPlanes(std::uint32_t mask, const Progress& progress) override;
@@ -29,6 +31,7 @@ class HostRenderer final : public SceneRenderer {
     Image read(const HostFilm& film, std::uint32_t mask) const;
 
     HostScene scene_;
+    PackedState state_;
     MarchMethod method_;
     float stride_;
     Kernels kernels_;

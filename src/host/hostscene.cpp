@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace dsphere::host {
@@ -24,34 +25,40 @@ bool readsSpline(const PackedRelief& relief) {
 
 }  // namespace
 
-HostScene::HostScene(const PackedScene& packed) : packed_(packed) {
+HostScene::HostScene(const PackedScene& packed) : packed_(&packed) {
     decodeImages();
     makeSplines();
-    update();
+    setState(packed.state);
 }
 
-void HostScene::update() {
-    objects = padded(packed_.objects, MAX_OBJECTS);
-    lights = padded(packed_.lights, MAX_LIGHTS);
-    materials = padded(packed_.materials, 2 * MAX_OBJECTS);
+void HostScene::setPacking(const PackedScene& packed) {
+    packed_ = &packed;
+    setState(packed.state);
+}
+
+void HostScene::setState(const PackedState& state) {
+    objects.assign(MAX_OBJECTS, {});
+    std::ranges::transform(state.objects, objects.begin(), &PackedObject::data);
+    lights = padded(state.lights, MAX_LIGHTS);
+    materials = padded(state.materials, 2 * MAX_OBJECTS);
     edges_.clear();
-    placeMaps();
-    placeImages();
+    placeMaps(state);
+    placeImages(state);
 }
 
 // A level of detail that is not there serves no pixel.
-void HostScene::placeMaps() {
+void HostScene::placeMaps(const PackedState& state) {
     layout::MapData none = {};
     none.least_pixel = std::numeric_limits<float>::infinity();
     maps.assign(std::size_t(MAX_OBJECTS * MAX_LEVELS), none);
-    for (const PackedRelief& relief : packed_.reliefs)
+    for (const PackedRelief& relief : packed_->reliefs)
         for (const auto* row : {&relief.shader.longitude_edges, &relief.shader.colatitude_edges,
                                 &relief.shader.longitude_phases, &relief.shader.colatitude_phases})
             edges_.push_back(*row);
-    for (std::size_t k = 0; k < packed_.relief_of_object.size(); ++k) {
-        int relief = packed_.relief_of_object[k];
+    for (std::size_t k = 0; k < state.objects.size(); ++k) {
+        int relief = state.objects[k].relief;
         for (std::size_t level = 0; relief >= 0 && level < MAX_LEVELS; ++level) {
-            const PackedRelief& from = packed_.reliefs[std::size_t(relief)];
+            const PackedRelief& from = packed_->reliefs[std::size_t(relief)];
             layout::MapData& data = maps[level * MAX_OBJECTS + k] = from.shader.data;
             data.layer = data.nodes_layer = from.map;
             data.bounds_layer = relief;
@@ -63,28 +70,29 @@ void HostScene::placeMaps() {
 
 void HostScene::decodeImages() {
     images_.push_back({256, codeWords()});
-    for (const ImageWords& image : packed_.images) {
+    for (const ImageWords& image : packed_->images) {
         images_.push_back({image.width(), {}});
         for (int j = 0; j < image.height(); ++j) image.appendRow(j, images_.back().values);
     }
 }
 
-void HostScene::placeImages() {
-    for (std::size_t k = 0; k < packed_.image_of_object.size(); ++k) {
-        if (packed_.image_of_object[k] < 0) continue;
-        objects[k].image_layer = 1 + packed_.image_of_object[k];
+void HostScene::placeImages(const PackedState& state) {
+    for (std::size_t k = 0; k < state.objects.size(); ++k) {
+        const PackedObject& object = state.objects[k];
+        if (object.image < 0) continue;
+        objects[k].image_layer = 1 + object.image;
         objects[k].image_centres_y = int(edges_.size());
-        edges_.push_back(packed_.centres[k].columns);
-        edges_.push_back(packed_.centres[k].rows);
+        edges_.push_back(object.centres.columns);
+        edges_.push_back(object.centres.rows);
     }
     for (layout::LightData& light : lights)
-        if (light.kind == LIGHT_IMAGE) light.image_layer = 1 + packed_.light_image;
+        if (light.kind == LIGHT_IMAGE) light.image_layer = 1 + packed_->light_image;
 }
 
 void HostScene::makeSplines() {
-    splines_.resize(packed_.nodes.size());
-    for (const PackedRelief& relief : packed_.reliefs) {
-        const NodeGrid& nodes = *packed_.nodes[std::size_t(relief.map)];
+    splines_.resize(packed_->nodes.size());
+    for (const PackedRelief& relief : packed_->reliefs) {
+        const NodeGrid& nodes = *packed_->nodes[std::size_t(relief.map)];
         SplineRows& rows = splines_[std::size_t(relief.map)];
         if (!readsSpline(relief) || nodes.map().ripples || !rows.empty()) continue;
         const SplineNodes spline(nodes);
@@ -95,9 +103,9 @@ void HostScene::makeSplines() {
 
 std::uint64_t HostScene::mapBytes() const {
     std::uint64_t bytes = 0;
-    for (const auto& nodes : packed_.nodes)
+    for (const auto& nodes : packed_->nodes)
         if (!nodes->map().ripples) bytes += sizeof(float) * std::uint64_t(nodes->width()) * (nodes->rows() + 1u);
-    for (const PackedRelief& relief : packed_.reliefs) bytes += sizeof(float) * relief.bounds.squared.size();
+    for (const PackedRelief& relief : packed_->reliefs) bytes += sizeof(float) * relief.bounds.squared.size();
     for (const auto& row : edges_) bytes += sizeof(layout::vec4) * row.size();
     for (const SplineRows& rows : splines_)
         for (const auto& row : rows) bytes += sizeof(SplineNodes::Node) * row.size();

@@ -16,21 +16,22 @@ class HostScene {
     /// The packed scene must outlive it.
     explicit HostScene(const PackedScene& packed);
 
-    /// Takes what has changed in the packed scene: camera, lights, materials, reliefs; the maps and images are as
-    /// before.
-    void update();
+    /// Takes another state of the packed scene.
+    void setState(const PackedState& state);
+    /// Takes another packing of the same maps and images, and its state.
+    void setPacking(const PackedScene& packed);
 
     std::vector<layout::ObjectData> objects;      ///< MAX_OBJECTS
     std::vector<layout::MapData> maps;            ///< MAX_LEVELS times MAX_OBJECTS
     std::vector<layout::LightData> lights;        ///< MAX_LIGHTS
     std::vector<layout::MaterialData> materials;  ///< 2 MAX_OBJECTS
 
-    const PackedScene& packed() const { return packed_; }
+    const PackedScene& packed() const { return *packed_; }
 
     // What the shaders load from images, by column, row and layer.
-    float height(int x, int y, int layer) const { return packed_.nodes[std::size_t(layer)]->at(x, y); }
+    float height(int x, int y, int layer) const { return packed_->nodes[std::size_t(layer)]->at(x, y); }
     float bound(int x, int y, int layer) const {
-        const Bounds& bounds = packed_.reliefs[std::size_t(layer)].bounds;
+        const Bounds& bounds = packed_->reliefs[std::size_t(layer)].bounds;
         return bounds.squared[std::size_t(y) * std::size_t(bounds.side) + std::size_t(x)];
     }
     const layout::vec4& edge(int x, int y) const { return edges_[std::size_t(y)][std::size_t(x)]; }
@@ -52,12 +53,12 @@ class HostScene {
     };
     using SplineRows = std::vector<std::vector<SplineNodes::Node>>;
 
-    void placeMaps();
-    void placeImages();
+    void placeMaps(const PackedState& state);
+    void placeImages(const PackedState& state);
     void decodeImages();
     void makeSplines();
 
-    const PackedScene& packed_;
+    const PackedScene* packed_;
     std::vector<std::vector<layout::vec4>> edges_;  ///< four rows a relief, then two rows an object with an image
     std::vector<Words> images_;                     ///< the codes' light, then the scene's images
     std::vector<SplineRows> splines_;               ///< one a map, empty where no relief reads it

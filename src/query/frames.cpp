@@ -23,7 +23,7 @@ std::vector<ShapeFrame> shapeFrames(const Scene& scene, const SceneMaps& maps, c
     for (std::size_t k = 0; k < scene.shapes.size(); ++k) {
         const Shape& shape = scene.shapes[k];
         ShapeFrame result;
-        result.unit = packed.units[k];
+        result.unit = packed.state.objects[k].unit;
         const dmat4 world_from_object = worldFromDevice(shape);
         dmat4 object_from_frame = glm::inverse(world_from_object) * world_from_frame;
         dmat4 frame_from_object = frameFromWorld(scene, frame) * world_from_object;

@@ -120,6 +120,7 @@ struct DeviceScene::Layout {
     std::vector<MapUse> uses;  ///< one a map, as the places of its heights and of its spline
     std::vector<Stack::Place> height_places, node_places, bound_places, image_places;
     std::vector<int> centre_rows;       ///< in the edges, one an object
+    int light_image = -1;               ///< PackedScene's
     std::vector<layout::MapData> maps;  ///< one a relief
     bool long_edges;                    ///< see addEdges
 
@@ -128,8 +129,8 @@ struct DeviceScene::Layout {
         layout::MapData none = {};
         none.least_pixel = std::numeric_limits<float>::infinity();
         std::vector<layout::MapData> result(std::size_t(MAX_OBJECTS * MAX_LEVELS), none);
-        for (std::size_t k = 0; k < packed.relief_of_object.size(); ++k) {
-            int relief = packed.relief_of_object[k];
+        for (std::size_t k = 0; k < packed.state.objects.size(); ++k) {
+            int relief = packed.state.objects[k].relief;
             for (std::size_t level = 0; relief >= 0 && level < MAX_LEVELS; ++level) {
                 const PackedRelief& from = packed.reliefs[std::size_t(relief)];
                 layout::MapData& data = result[level * MAX_OBJECTS + k] = maps[std::size_t(relief)];
@@ -140,11 +141,13 @@ struct DeviceScene::Layout {
         return result;
     }
 
-    std::vector<layout::ObjectData> placedObjects(const PackedScene& packed) const {
-        std::vector<layout::ObjectData> result = packed.objects;
-        for (std::size_t i = 0; i < result.size(); ++i) {
-            if (packed.image_of_object[i] < 0) continue;
-            Stack::Place place = image_places[std::size_t(packed.image_of_object[i])];
+    std::vector<layout::ObjectData> placedObjects(const PackedState& state) const {
+        std::vector<layout::ObjectData> result;
+        for (std::size_t i = 0; i < state.objects.size(); ++i) {
+            const PackedObject& object = state.objects[i];
+            result.push_back(object.data);
+            if (object.image < 0) continue;
+            Stack::Place place = image_places[std::size_t(object.image)];
             result[i].image_y = place.y;
             result[i].image_layer = place.layer;
             result[i].image_centres_y = centre_rows[i];
@@ -152,11 +155,11 @@ struct DeviceScene::Layout {
         return result;
     }
 
-    std::vector<layout::LightData> placedLights(const PackedScene& packed) const {
-        std::vector<layout::LightData> result = packed.lights;
+    std::vector<layout::LightData> placedLights(const PackedState& state) const {
+        std::vector<layout::LightData> result = state.lights;
         for (layout::LightData& light : result) {
             if (light.kind != LIGHT_IMAGE) continue;
-            const Stack::Place place = image_places[std::size_t(packed.light_image)];
+            const Stack::Place place = image_places[std::size_t(light_image)];
             light.image_y = place.y;
             light.image_layer = place.layer;
         }
@@ -171,8 +174,9 @@ struct DeviceScene::Layout {
                              image.height(), device.info().name, images.limit, images.limit);
             image_places.push_back(images.add(image.width(), image.height()));
         }
-        for (const PackedCentres& centres : packed.centres) {
-            int width = int(std::max(centres.columns.size(), centres.rows.size()));
+        light_image = packed.light_image;
+        for (const PackedObject& object : packed.state.objects) {
+            int width = int(std::max(object.centres.columns.size(), object.centres.rows.size()));
             centre_rows.push_back(width > 0 ? addEdges(width, 2) : 0);
         }
     }
@@ -224,11 +228,13 @@ DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed)
 DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, std::unique_ptr<TilePool> tiles)
     : tiles_(std::move(tiles)),
       layout_(std::make_shared<const Layout>(device, packed, *tiles_)),
-      objects_(makeBuffer(device, gpu::Buffer::Usage::Uniform, layout_->placedObjects(packed), MAX_OBJECTS, "objects")),
+      objects_(makeBuffer(device, gpu::Buffer::Usage::Uniform, layout_->placedObjects(packed.state), MAX_OBJECTS,
+                          "objects")),
       maps_(device, gpu::Buffer::Usage::Uniform, gpu::Buffer::Place::Device,
             sizeof(layout::MapData) * MAX_OBJECTS * MAX_LEVELS, "maps"),
-      lights_(makeBuffer(device, gpu::Buffer::Usage::Uniform, layout_->placedLights(packed), MAX_LIGHTS, "lights")),
-      materials_(makeBuffer(device, gpu::Buffer::Usage::Uniform, packed.materials, 2 * MAX_OBJECTS, "materials")),
+      lights_(
+          makeBuffer(device, gpu::Buffer::Usage::Uniform, layout_->placedLights(packed.state), MAX_LIGHTS, "lights")),
+      materials_(makeBuffer(device, gpu::Buffer::Usage::Uniform, packed.state.materials, 2 * MAX_OBJECTS, "materials")),
       triangles_(makeBuffer(device, gpu::Buffer::Usage::Uniform, packed.triangles, MAX_TRIANGLES, "triangles")),
       ramps_(makeBuffer(device, gpu::Buffer::Usage::Storage, packed.ramp_points,
                         std::max<std::size_t>(packed.ramp_points.size(), 1), "ramps")),
@@ -257,10 +263,11 @@ DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, std::un
         uploadEdges(layout_->maps[i].edges_y + 3, relief.shader.colatitude_phases);
     }
     updateReliefs(packed);
-    for (std::size_t i = 0; i < packed.centres.size(); ++i) {
-        if (packed.image_of_object[i] < 0) continue;
-        uploadEdges(layout_->centre_rows[i], packed.centres[i].columns);
-        uploadEdges(layout_->centre_rows[i] + 1, packed.centres[i].rows);
+    for (std::size_t i = 0; i < packed.state.objects.size(); ++i) {
+        const PackedObject& object = packed.state.objects[i];
+        if (object.image < 0) continue;
+        uploadEdges(layout_->centre_rows[i], object.centres.columns);
+        uploadEdges(layout_->centre_rows[i] + 1, object.centres.rows);
     }
     if (!packed.images.empty()) images_.upload(0, 0, 0, 256, 1, codeWords().data());
     for (std::size_t i = 0; i < packed.images.size(); ++i)
@@ -276,15 +283,15 @@ DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, std::un
         map_bytes_ += std::uint64_t(image->width()) * image->height() * image->layers() * texelBytes(image->format());
 }
 
-void DeviceScene::updateObjects(const PackedScene& packed) {
-    const std::vector<layout::ObjectData> objects = layout_->placedObjects(packed);
+void DeviceScene::updateObjects(const PackedState& state) {
+    const std::vector<layout::ObjectData> objects = layout_->placedObjects(state);
     objects_.upload(0, objects.size() * sizeof(objects[0]), objects.data());
 }
 
-void DeviceScene::updateLook(const PackedScene& packed) {
-    const std::vector<layout::LightData> lights = layout_->placedLights(packed);
+void DeviceScene::updateLook(const PackedState& state) {
+    const std::vector<layout::LightData> lights = layout_->placedLights(state);
     if (!lights.empty()) lights_.upload(0, lights.size() * sizeof(lights[0]), lights.data());
-    materials_.upload(0, packed.materials.size() * sizeof(packed.materials[0]), packed.materials.data());
+    materials_.upload(0, state.materials.size() * sizeof(state.materials[0]), state.materials.data());
 }
 
 void DeviceScene::updateReliefs(const PackedScene& packed) {

@@ -21,10 +21,10 @@ class DeviceScene {
     /// Uploads. Error (InvalidInput) when a map is larger than the device's images; Error (Failure) out of memory.
     DeviceScene(gpu::Device& device, const PackedScene& packed);
 
-    /// Uploads the objects again: after packCamera.
-    void updateObjects(const PackedScene& packed);
+    /// Uploads the objects again.
+    void updateObjects(const PackedState& state);
     /// Uploads lights and materials again, as many as before.
-    void updateLook(const PackedScene& packed);
+    void updateLook(const PackedState& state);
     /// Uploads bounds and maps again: of the same maps under other reliefs, as many as before.
     void updateReliefs(const PackedScene& packed);
 

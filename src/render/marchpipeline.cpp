@@ -8,6 +8,64 @@
 
 namespace dsphere {
 
+namespace {
+
+using gpu::Binding;
+
+constexpr unsigned bit(Shader shader) {
+    return 1u << unsigned(shader);
+}
+constexpr unsigned kRender = bit(Shader::Render), kProbe = bit(Shader::Probe), kQuery = bit(Shader::Query);
+constexpr unsigned kAll = kRender | kProbe | kQuery;
+
+struct BindingRow {
+    int number;  ///< BINDING_
+    Binding::Kind kind;
+    unsigned shaders;  ///< that have it: bit() of each
+};
+
+/// What lies where: layout.h names it, and DeviceScene::resources() is the part that all shaders have.
+constexpr BindingRow kBindings[] = {
+    {BINDING_OBJECTS, Binding::UniformBuffer, kAll},
+    {BINDING_MAPS, Binding::UniformBuffer, kAll},
+    {BINDING_LIGHTS, Binding::UniformBuffer, kAll},
+    {BINDING_MATERIALS, Binding::UniformBuffer, kAll},
+    {BINDING_TRIANGLES, Binding::UniformBuffer, kAll},
+    {BINDING_RAMPS, Binding::StorageBuffer, kAll},
+    {BINDING_TABLES, Binding::StorageBuffer, kAll},
+    {BINDING_HEIGHTS, Binding::StorageImage, kAll},
+    {BINDING_BOUNDS, Binding::StorageImage, kAll},
+    {BINDING_EDGES, Binding::StorageImage, kAll},
+    {BINDING_IMAGES, Binding::StorageImage, kAll},
+    {BINDING_NODES, Binding::StorageImage, kAll},
+    {BINDING_TILES, Binding::StorageImage, kAll},
+    {BINDING_FILM, Binding::StorageImage, kRender},
+    {BINDING_FILM, Binding::StorageBuffer, kProbe | kQuery},  // their rays
+    {BINDING_HITS, Binding::StorageBuffer, kProbe},
+    {BINDING_RETRY, Binding::StorageBuffer, kRender | kQuery},
+    {BINDING_ABSENT, Binding::StorageBuffer, kRender | kQuery},
+    {BINDING_ANSWERS, Binding::StorageBuffer, kQuery},
+    {BINDING_LOOKS, Binding::StorageBuffer, kQuery},
+};
+
+/// Each shader's bindings are numbered 0, 1, 2...
+constexpr bool areNumbered(Shader shader) {
+    int next = 0;
+    for (const BindingRow& row : kBindings)
+        if ((row.shaders & bit(shader)) && row.number != next++) return false;
+    return true;
+}
+static_assert(areNumbered(Shader::Render) && areNumbered(Shader::Probe) && areNumbered(Shader::Query));
+
+std::vector<Binding::Kind> bindingsOf(Shader shader) {
+    std::vector<Binding::Kind> kinds;
+    for (const BindingRow& row : kBindings)
+        if (row.shaders & bit(shader)) kinds.push_back(row.kind);
+    return kinds;
+}
+
+}  // namespace
+
 bool isNarrow(const gpu::Device& device) {
     return device.info().type == "CPU";
 }
@@ -26,18 +84,10 @@ int turnsOf(const gpu::Device& device, const SceneTraits& traits, const MarchMet
 gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& traits, float stride,
                                        std::span<const std::uint32_t> spirv, Shader shader, const MarchMethod& method,
                                        std::uint32_t planes, bool listed) {
-    using gpu::Binding;
-    std::vector<Binding::Kind> bindings(BINDING_RAMPS, Binding::UniformBuffer);
-    bindings.insert(bindings.end(), BINDING_HEIGHTS - BINDING_RAMPS, Binding::StorageBuffer);
-    bindings.insert(bindings.end(), BINDING_FILM - BINDING_HEIGHTS, Binding::StorageImage);
-    bindings.push_back(shader == Shader::Render ? Binding::StorageImage : Binding::StorageBuffer);
-    bindings.push_back(Binding::StorageBuffer);
-    if (shader != Shader::Probe) bindings.push_back(Binding::StorageBuffer);
-    if (shader == Shader::Query) bindings.insert(bindings.end(), 2, Binding::StorageBuffer);
     Specialization specialization = specializationOf(traits, stride, method, planes);
     specialization[SPEC_TURNS] = listed ? 1u : std::uint32_t(turnsOf(device, traits, method));
     specialization[SPEC_LISTED] = listed ? 1 : 0;
-    // One ray that takes long holds all up that share its instructions.
+    // One ray that takes long holds up all that share its instructions (rule N1).
     specialization[SPEC_RETRY_STRIDE] = isNarrow(device) ? 1 : 32;
     struct Kind {
         std::uint32_t push_bytes;
@@ -46,7 +96,7 @@ gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& t
     constexpr Kind kKinds[] = {
         {sizeof(layout::RenderParams), "render"}, {0, "probe"}, {sizeof(layout::QueryParams), "query"}};
     const Kind& kind = kKinds[std::size_t(shader)];
-    return gpu::ComputePipeline(device, spirv, bindings, specialization, kind.push_bytes, kind.name);
+    return gpu::ComputePipeline(device, spirv, bindingsOf(shader), specialization, kind.push_bytes, kind.name);
 }
 
 }  // namespace dsphere

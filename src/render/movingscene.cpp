@@ -12,7 +12,7 @@ bool sameGeometry(const Scene& a, const Scene& b) {
 
 /// Whether one takes the other's places on the device.
 bool fits(const PackedScene& a, const PackedScene& b) {
-    return a.relief_of_object == b.relief_of_object &&
+    return std::ranges::equal(a.state.objects, b.state.objects, {}, &PackedObject::relief, &PackedObject::relief) &&
            std::ranges::equal(a.reliefs, b.reliefs, {}, &PackedRelief::map, &PackedRelief::map);
 }
 
@@ -30,11 +30,7 @@ void MovingScene::change(Scene scene) {
     const bool reshaped = !sameGeometry(scene_, scene), relit = scene_.lights != scene.lights;
     scene_ = std::move(scene);
     if (reshaped) return repack();
-    if (relit) {
-        packLook(packed_, scene_, maps_);
-        renderer_->update(false);
-    }
-    packCamera(packed_, scene_);
+    if (relit) renderer_->setLook(scene_, maps_);
     renderer_->setCamera(scene_);
 }
 
@@ -52,7 +48,7 @@ void MovingScene::repack() {
         renderer_ = make_renderer_(packed_, scene_);
         return;
     }
-    renderer_->update(true);
+    renderer_->setPacking(packed_);
     renderer_->setCamera(scene_);
 }
 

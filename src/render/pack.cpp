@@ -141,11 +141,11 @@ void packImages(PackedScene& packed, const Scene& scene, const SceneMaps& maps) 
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         const Shape& shape = scene.shapes[i];
         const ColourMap* image = maps.image(i);
-        packed.image_of_object.push_back(image ? maps.image_of_shape[i] : -1);
-        packed.centres.emplace_back();
         if (!image) continue;
+        PackedObject& object = packed.state.objects[i];
         const double longitude_origin = textureAs<ImageMap>(shape.material)->longitude_origin;
-        packed.centres.back() = packImage(packed.objects[i], *image, longitude_origin, innerShareOf(shape));
+        object.image = maps.image_of_shape[i];
+        object.centres = packImage(object.data, *image, longitude_origin, innerShareOf(shape));
     }
     packed.light_image = maps.light_image;
 }
@@ -168,16 +168,16 @@ int findOrAddRelief(PackedScene& packed, int map, const Relief& relief, Levels l
     return index;
 }
 
-/// Fills what depends on the kind of shape and returns the length that is 1 in the shader's object space.
-double packGeometry(ObjectData& object, PackedScene& packed, const Shape& shape, int map, const Relief& relief,
-                    Levels levels) {
-    packed.relief_of_object.push_back(-1);
+/// Fills what depends on the kind of shape, with the length that is 1 in the shader's object space.
+void packGeometry(PackedObject& packed_object, PackedScene& packed, const Shape& shape, int map, const Relief& relief,
+                  Levels levels) {
+    ObjectData& object = packed_object.data;
     object.kind = geometryKind(shape.geometry);
     object.base = 1.0f;
     object.offset = float(kSecondaryOffset);
     object.shell_squared = float((1.0 + Bounds::kSlack) * (1.0 + Bounds::kSlack)) + 1.2e-7f;
     const auto packDisplaced = [&](const DisplacedSphere&) {
-        packed.relief_of_object.back() = findOrAddRelief(packed, map, relief, levels);
+        packed_object.relief = findOrAddRelief(packed, map, relief, levels);
         double base = relief.base / relief.greatest_radius;
         object.base = float(base);
         object.base_lo = float(base - double(object.base));
@@ -189,9 +189,10 @@ double packGeometry(ObjectData& object, PackedScene& packed, const Shape& shape,
         object.inner_squared = float(std::pow(disk.inner_radius / disk.radius, 2.0));
         return disk.radius;
     };
-    return std::visit(Overloads{packDisplaced, [](const Sphere& sphere) { return sphere.radius; }, packDisk,
-                                [&](const TriangleMesh& mesh) { return packMesh(object, mesh, packed.triangles); }},
-                      shape.geometry);
+    packed_object.unit =
+        std::visit(Overloads{packDisplaced, [](const Sphere& sphere) { return sphere.radius; }, packDisk,
+                             [&](const TriangleMesh& mesh) { return packMesh(object, mesh, packed.triangles); }},
+                   shape.geometry);
 }
 
 static_assert(MAX_OBJECTS == limits::kShapes && MAX_LIGHTS == limits::kLights && MAX_MARCHES == limits::kMarches &&
@@ -219,20 +220,21 @@ dmat4 worldFromDevice(const Shape& shape) {
     return mesh ? translated(shape.world_from_object, middleOf(*mesh)) : shape.world_from_object;
 }
 
-void packCamera(PackedScene& packed, const Scene& scene) {
+void packCamera(PackedState& state, const Scene& scene) {
     Raster raster = makeRaster(scene.camera, scene.film);
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-        const Frame frame = frameOf(scene.shapes[i], packed.units[i]);
-        packCameraRays(packed.objects[i], frame, raster);
-        packPixelSize(packed.objects[i], frame, raster);
+        PackedObject& object = state.objects[i];
+        const Frame frame = frameOf(scene.shapes[i], object.unit);
+        packCameraRays(object.data, frame, raster);
+        packPixelSize(object.data, frame, raster);
     }
 }
 
-void packLook(PackedScene& packed, const Scene& scene, const SceneMaps& maps) {
+void packLook(PackedState& state, const PathTables& tables, const Scene& scene, const SceneMaps& maps) {
     for (std::size_t i = 0; i < scene.shapes.size(); ++i)
-        packColour(packed.objects[i], scene.shapes[i], maps.reliefs[i]);
-    packed.lights = packLights(scene, maps, packed.tables, centreOf(scene.shapes[0]));
-    packed.materials = packMaterials(scene, packed.tables);
+        packColour(state.objects[i].data, scene.shapes[i], maps.reliefs[i]);
+    state.lights = packLights(scene, maps, tables, centreOf(scene.shapes[0]));
+    state.materials = packMaterials(scene, tables);
 }
 
 PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels) {
@@ -246,17 +248,17 @@ PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels) 
     }
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         const Shape& shape = scene.shapes[i];
-        ObjectData object = {};
-        packed.units.push_back(packGeometry(object, packed, shape, maps.map_of_shape[i], maps.reliefs[i], levels));
-        packTransforms(object, frameOf(shape, packed.units.back()));
-        object.from_first =
-            narrow(centreOf(shape) - centreOf(scene.shapes[0]), holdingRadius(object, shape, packed.units.back()));
-        packed.objects.push_back(object);
+        PackedObject object;
+        packGeometry(object, packed, shape, maps.map_of_shape[i], maps.reliefs[i], levels);
+        packTransforms(object.data, frameOf(shape, object.unit));
+        object.data.from_first =
+            narrow(centreOf(shape) - centreOf(scene.shapes[0]), holdingRadius(object.data, shape, object.unit));
+        packed.state.objects.push_back(std::move(object));
     }
     packImages(packed, scene, maps);
     packed.tables = makePathTables(scene, maps);
-    packCamera(packed, scene);
-    packLook(packed, scene, maps);
+    packCamera(packed.state, scene);
+    packLook(packed.state, packed.tables, scene, maps);
     for (const Ramp& ramp : ramps())
         for (const dvec3& point : ramp.points) packed.ramp_points.push_back(narrow(point, 1.0));
     return packed;

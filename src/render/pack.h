@@ -29,20 +29,30 @@ struct PackedRelief {
 /// Which levels of detail of its maps a scene is packed with.
 enum class Levels { Finest, All };
 
+/// A shape, ready to upload.
+struct PackedObject {
+    layout::ObjectData data = {};
+    double unit = 1.0;      ///< the object-space length that is 1 on the device
+    int relief = -1;        ///< index in PackedScene::reliefs; -1: none
+    int image = -1;         ///< index in PackedScene::images; -1: none
+    PackedCentres centres;  ///< of the image's texels; empty without one
+};
+
+/// What changes from picture to picture while the maps stay: camera, lights and colours. A renderer has one of its own.
+struct PackedState {
+    std::vector<PackedObject> objects;            ///< one per shape, in order
+    std::vector<layout::LightData> lights;        ///< one per light
+    std::vector<layout::MaterialData> materials;  ///< one per object; regularized ones from MAX_OBJECTS on
+};
+
 struct PackedScene {
-    std::vector<layout::ObjectData> objects;  ///< one a shape, in order
-    std::vector<double> units;                ///< of each, the object-space length that is 1 on the device
-    std::vector<int> relief_of_object;        ///< index in `reliefs`, -1: none
-    std::vector<layout::LightData> lights;
+    PackedState state;                               ///< as the scene was when it was packed
     std::vector<std::unique_ptr<Heightmap>> halves;  ///< levels of detail beyond the maps of SceneMaps
     std::vector<std::unique_ptr<NodeGrid>> nodes;    ///< one a map of SceneMaps, then one a half, which they refer to
     std::vector<int> half_of_nodes;                  ///< of packLevels
     std::vector<PackedRelief> reliefs;               ///< distinct ones, and their levels of detail
     std::vector<ImageWords> images;                  ///< one an image of SceneMaps, which they refer to
-    std::vector<int> image_of_object;                ///< index in `images`, -1: none
-    std::vector<PackedCentres> centres;              ///< one an object, empty without an image
     std::vector<layout::vec4> ramp_points;           ///< all ramps, RAMP_POINTS each
-    std::vector<layout::MaterialData> materials;     ///< one an object; regularized ones from MAX_OBJECTS on
     std::vector<layout::TriangleData> triangles;     ///< of all meshes
     PathTables tables;
     int light_image = -1;            ///< index in `images` of the infinite light's, -1: none
@@ -57,10 +67,11 @@ dmat4 worldFromDevice(const Shape& shape);
 /// a pixel, or MAX_DEPTH reflections.
 PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels = Levels::Finest);
 
-/// Gives a packed scene the camera and film of `scene`, which has changed in nothing else.
-void packCamera(PackedScene& packed, const Scene& scene);
+/// Takes the camera and film of `scene`, which has changed in nothing else since it was packed.
+void packCamera(PackedState& state, const Scene& scene);
 
-/// Gives a packed scene the lights and the constant and ramp colours of `scene`, which has changed in nothing else.
-void packLook(PackedScene& packed, const Scene& scene, const SceneMaps& maps);
+/// Takes the lights and the constant and ramp colours of `scene`, which has changed in nothing else. `tables`: those of
+/// its PackedScene.
+void packLook(PackedState& state, const PathTables& tables, const Scene& scene, const SceneMaps& maps);
 
 }  // namespace dsphere

@@ -24,23 +24,20 @@ constexpr double kSubmitTarget = 0.05;
 }  // namespace
 
 Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Scene& scene, const MarchMethod& method)
-    : device_(device),
-      packed_(packed),
-      device_scene_(device, packed),
-      method_(method),
-      crop_(cropBox(scene.film)),
-      display_{0, 0, scene.film.width, scene.film.height},
-      spans_(shownSpans(packed.traits, packed.objects, crop_)) {}
+    : device_(device), packed_(&packed), state_(packed.state), device_scene_(device, packed), method_(method) {
+    setCamera(scene);
+}
 
 void Renderer::setCamera(const Scene& scene) {
-    device_scene_.updateObjects(packed_);
+    packCamera(state_, scene);
+    device_scene_.updateObjects(state_);
     display_ = {0, 0, scene.film.width, scene.film.height};
     setCrop(cropBox(scene.film));
 }
 
 void Renderer::setCrop(const Box& crop) {
     crop_ = crop;
-    spans_ = shownSpans(packed_.traits, packed_.objects, crop_);
+    spans_ = shownSpans(packed_->traits, state_.objects, crop_);
 }
 
 void Renderer::runTiles(Pass& pass, TileRun& run, int sample, std::uint32_t seed, const Progress& progress) {
@@ -54,14 +51,20 @@ void Renderer::runTiles(Pass& pass, TileRun& run, int sample, std::uint32_t seed
     run.rewind();
 }
 
-void Renderer::update(bool reliefs) {
-    if (reliefs) {
-        device_scene_.updateReliefs(packed_);
-        // The stride that is safe depends on the slopes.
-        std::erase_if(pipelines_, [](const auto& one) { return one.first.first.marcher == Marcher::Lipschitz; });
-    }
-    device_scene_.updateObjects(packed_);
-    device_scene_.updateLook(packed_);
+void Renderer::setLook(const Scene& scene, const SceneMaps& maps) {
+    packLook(state_, packed_->tables, scene, maps);
+    device_scene_.updateObjects(state_);
+    device_scene_.updateLook(state_);
+}
+
+void Renderer::setPacking(const PackedScene& packed) {
+    packed_ = &packed;
+    state_ = packed.state;
+    device_scene_.updateReliefs(packed);
+    device_scene_.updateObjects(state_);
+    device_scene_.updateLook(state_);
+    // The stride that is safe depends on the slopes.
+    std::erase_if(pipelines_, [](const auto& one) { return one.first.first.marcher == Marcher::Lipschitz; });
 }
 
 PassPipelines& Renderer::pipelines(const MarchMethod& method, std::uint32_t mask) {
@@ -69,7 +72,7 @@ PassPipelines& Renderer::pipelines(const MarchMethod& method, std::uint32_t mask
     if (found == pipelines_.end())
         found = pipelines_
                     .emplace(std::pair(method, mask),
-                             PassPipelines(device_, packed_.traits, safeStride(packed_, method), method, mask))
+                             PassPipelines(device_, packed_->traits, safeStride(*packed_, method), method, mask))
                     .first;
     return found->second;
 }

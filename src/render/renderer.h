@@ -13,14 +13,16 @@
 
 namespace dsphere {
 
-/// Renders on a Vulkan device. The packed scene and device must outlive it.
+/// Renders on a Vulkan device, which must outlive it, as the packed scene must.
 class Renderer final : public SceneRenderer {
   public:
+    /// With the camera and film of `scene`, whatever the packing has.
     Renderer(gpu::Device& device, const PackedScene& packed, const Scene& scene, const MarchMethod& method);
 
     void setCamera(const Scene& scene) override;
     void setCrop(const Box& crop) override;
-    void update(bool reliefs) override;
+    void setLook(const Scene& scene, const SceneMaps& maps) override;
+    void setPacking(const PackedScene& packed) override;
     /// For the renders that follow. Pipelines of methods used before are kept.
     void setMethod(const MarchMethod& method) { method_ = method; }
 
@@ -45,7 +47,8 @@ class Renderer final : public SceneRenderer {
     void fillMisses(Image& image, const std::vector<Box>& tiles) const;
 
     gpu::Device& device_;
-    const PackedScene& packed_;
+    const PackedScene* packed_;
+    PackedState state_;
     DeviceScene device_scene_;
     MarchMethod method_;
     std::map<std::pair<MarchMethod, std::uint32_t>, PassPipelines> pipelines_;  ///< by method and planes

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/image.h"
+#include "render/pack.h"
 #include "render/planes.h"
 #include "render/samplesums.h"
 #include "scene/scene.h"
@@ -22,17 +23,21 @@ struct RenderStats {
 /// Called with the share of the work that is done, 0 to 1; false stops the render.
 using Progress = std::function<bool(double)>;
 
-/// Renders pictures of one packed scene: on a Vulkan device (Renderer) or on the host (host/hostrenderer.h).
+/// Renders pictures of one packed scene: on a Vulkan device (Renderer) or on the host (host/hostrenderer.h). The packed
+/// scene is read, never changed: each renderer has a PackedState of its own.
 class SceneRenderer {
   public:
     virtual ~SceneRenderer() = default;
 
-    /// Takes the camera and film of `scene`; packCamera has given them to the packed scene before.
+    /// Takes the camera and film of `scene`, which has changed in nothing else.
     virtual void setCamera(const Scene& scene) = 0;
     /// Renders these pixels of the film in place of those of its crop window.
     virtual void setCrop(const Box& crop) = 0;
-    /// Takes what packLook or, `reliefs`, a new packing of the same maps has made of the packed scene.
-    virtual void update(bool reliefs) = 0;
+    /// Takes the lights and the constant and ramp colours of `scene`, which has changed in nothing else.
+    virtual void setLook(const Scene& scene, const SceneMaps& maps) = 0;
+    /// Takes another packing of the same maps, with its camera, lights and colours, in place of the present one: the
+    /// same reliefs in the same order, whatever their radii and displacements.
+    virtual void setPacking(const PackedScene& packed) = 0;
 
     /// addSamples() of this renderer's crop. `planes`: kColourPlanes, and kAlphaPlane if wanted; `start` has channels
     /// of both or is empty.

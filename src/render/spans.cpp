@@ -114,17 +114,16 @@ class Cone {
 
 }  // namespace
 
-std::vector<Span> objectSpans(const std::vector<layout::ObjectData>& objects, const Box& box, double reach) {
+std::vector<Span> objectSpans(const std::vector<PackedObject>& objects, const Box& box, double reach) {
     std::vector<Span> spans(std::size_t(box.height()));
-    for (const layout::ObjectData& object : objects) {
-        Cone cone(object, reach);
+    for (const PackedObject& object : objects) {
+        Cone cone(object.data, reach);
         for (int row = 0; row < box.height(); ++row) cone.widen(spans[std::size_t(row)], box, row);
     }
     return spans;
 }
 
-std::vector<Span> shownSpans(const SceneTraits& traits, const std::vector<layout::ObjectData>& objects,
-                             const Box& crop) {
+std::vector<Span> shownSpans(const SceneTraits& traits, const std::vector<PackedObject>& objects, const Box& crop) {
     const SceneTraits::Paths& paths = traits.paths;
     if (!paths.hide_distance && (paths.light_kinds & (1u << LIGHT_INFINITE | 1u << LIGHT_IMAGE)))
         return std::vector<Span>(std::size_t(crop.height()), Span{0, crop.width()});

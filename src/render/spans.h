@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/image.h"
-#include "render/traits.h"
+#include "render/pack.h"
 
 #include <vector>
 
@@ -18,10 +18,9 @@ struct Span {
 /// or more), that can come near an object on its way; x counts from the box's left edge. All other pixels miss. On SIMD
 /// devices a group that misses costs almost what one that hits does, since loops run their body once under an empty
 /// mask.
-std::vector<Span> objectSpans(const std::vector<layout::ObjectData>& objects, const Box& box, double reach = 0.5);
+std::vector<Span> objectSpans(const std::vector<PackedObject>& objects, const Box& box, double reach = 0.5);
 
 /// The pixels of a picture that may not be black: those spans, or all pixels under an infinite light that shows.
-std::vector<Span> shownSpans(const SceneTraits& traits, const std::vector<layout::ObjectData>& objects,
-                             const Box& crop);
+std::vector<Span> shownSpans(const SceneTraits& traits, const std::vector<PackedObject>& objects, const Box& crop);
 
 }  // namespace dsphere

@@ -86,18 +86,33 @@ Plastic plasticOf(Statement s, Parameters& p) {
     return plastic;
 }
 
-const Words kMaterials = {"matte", "diffuse", "metal", "conductor", "mirror", "plastic"};
+/// What the scene language calls a material, and who reads its parameters.
+struct MaterialWord {
+    std::string_view word;
+    Material (*read)(Statement, Parameters&);
+};
 
+constexpr MaterialWord kMaterialWords[] = {
+    {"matte", [](Statement s, Parameters& p) -> Material { return matteOf(s, p); }},
+    {"diffuse", [](Statement s, Parameters& p) -> Material { return matteOf(s, p); }},
+    {"metal", [](Statement, Parameters& p) -> Material { return conductorOf(p, false); }},
+    {"conductor", [](Statement, Parameters& p) -> Material { return conductorOf(p, true); }},
+    {"mirror",
+     [](Statement s, Parameters& p) -> Material { return Mirror{factorOf(s, p, "Kr", Mirror{}.reflectance)}; }},
+    {"plastic", [](Statement s, Parameters& p) -> Material { return plasticOf(s, p); }},
+};
+
+Words materialWords() {
+    Words words;
+    for (const MaterialWord& material : kMaterialWords) words.push_back(material.word);
+    return words;
+}
+
+const Words kMaterials = materialWords();
+
+/// `type` is one of kMaterials.
 Material materialOf(Statement s, std::string_view type, Parameters& p) {
-    Material material;
-    if (type == "metal" || type == "conductor")
-        material = conductorOf(p, type == "conductor");
-    else if (type == "mirror")
-        material = Mirror{factorOf(s, p, "Kr", Mirror{}.reflectance)};
-    else if (type == "plastic")
-        material = plasticOf(s, p);
-    else
-        material = matteOf(s, p);
+    Material material = std::ranges::find(kMaterialWords, type, &MaterialWord::word)->read(s, p);
     p.finish();
     return material;
 }

@@ -7,7 +7,7 @@ namespace dsphere::viewer {
 void Document::locate() {
     std::vector<Globe> globes;
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-        const int relief = packed.relief_of_object[i];
+        const int relief = packed.state.objects[i].relief;
         const NodeGrid* nodes =
             relief < 0 ? nullptr : packed.nodes[std::size_t(packed.reliefs[std::size_t(relief)].map)].get();
         globes.emplace_back(scene.shapes[i], nodes, maps.reliefs[i]);

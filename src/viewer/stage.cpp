@@ -34,7 +34,6 @@ void Stage::setCamera(const Camera& camera, int width, int height) {
     scene.film.width = width;
     scene.film.height = height;
     scene.film.crop = {0.0, 1.0, 0.0, 1.0};
-    packCamera(document_->packed, scene);
     renderer_.setCamera(scene);
 }
 
@@ -42,8 +41,7 @@ void Stage::updateLook(const Scene& scene) {
     Scene& shown = document_->scene;
     shown.lights = scene.lights;
     for (std::size_t i = 0; i < shown.shapes.size(); ++i) shown.shapes[i].material = scene.shapes[i].material;
-    packLook(document_->packed, shown, document_->maps);
-    renderer_.update(false);
+    renderer_.setLook(shown, document_->maps);
 }
 
 void Stage::updateRelief(PackedScene packed, const Scene& scene) {
@@ -52,9 +50,9 @@ void Stage::updateRelief(PackedScene packed, const Scene& scene) {
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) document.scene.shapes[i] = scene.shapes[i];
     document.scene.lights = scene.lights;
     document.locate();
-    packCamera(document.packed, document.scene);
     for (auto& film : films_) film.reset();  // they may hold pipelines that go
-    renderer_.update(true);
+    renderer_.setPacking(document.packed);
+    renderer_.setCamera(document.scene);
 }
 
 bool Stage::makeRoom(std::size_t film, std::uint32_t mask, int width, int height) {

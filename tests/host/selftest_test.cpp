@@ -22,7 +22,8 @@ class Spoilt final : public SceneRenderer {
 
     void setCamera(const Scene& scene) override { renderer_->setCamera(scene); }
     void setCrop(const Box& crop) override { renderer_->setCrop(crop); }
-    void update(bool reliefs) override { renderer_->update(reliefs); }
+    void setLook(const Scene& scene, const SceneMaps& maps) override { renderer_->setLook(scene, maps); }
+    void setPacking(const PackedScene& packed) override { renderer_->setPacking(packed); }
     SampleSums renderSums(SampleSums start, int from, int to, std::uint32_t seed, const Progress& progress,
                           std::uint32_t planes) override {
         return renderer_->renderSums(std::move(start), from, to, seed, progress, planes);

@@ -43,7 +43,7 @@ dvec3 sumOf(const layout::vec4& row, const layout::vec4& row_lo) {
 // Rows and _lo rows together: 48 bits of what is fixed, 36 of the steps from pixel to pixel.
 TEST_P(RasterTest, PackedRaysAreTheReferencesTo36Bits) {
     const PackedScene packed = packScene(scene_, loadSceneMaps(scene_));
-    const layout::ObjectData& o = packed.objects.at(0);
+    const layout::ObjectData& o = packed.state.objects.at(0).data;
     for (double y : {0.0, 17.0, scene_.film.height - 1.0})
         for (double x : {0.0, 33.0, scene_.film.width - 1.0}) {
             const double right = x - double(o.anchor_x), down = y - double(o.anchor_y);

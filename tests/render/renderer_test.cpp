@@ -57,14 +57,12 @@ TEST_F(RendererTest, PathsDoNotDependOnTurns) {
     World whole = world(objects);
     whole.scene.film.width = 131;
     ASSERT_TRUE(whole.packed.traits.needsPaths());
-    packCamera(whole.packed, whole.scene);
     Renderer renderer(device_, whole.packed, whole.scene, Marcher::Exact);
     const Image picture = renderer.renderColour(3, 5, {});
     for (int first : {0, 40, 96, 128}) {
         World part = world(objects);
         part.scene.film.width = 131;
         part.scene.film.crop = {first / 131.0, std::min(first + 8, 131) / 131.0, 0.0, 1.0};
-        packCamera(part.packed, part.scene);
         const Image cut = Renderer(device_, part.packed, part.scene, Marcher::Exact).renderColour(3, 5, {});
         ASSERT_LE(cut.data.width(), 8);
         ASSERT_EQ(cut.channels.size(), 3u);

@@ -30,7 +30,7 @@ class SpansTest : public WorldTest {
     /// Every near ray is inside; returns the share of the dispatched pixels that are near.
     static double expectAllInside(const World& world) {
         Box box = cropBox(world.scene.film);
-        std::vector<Span> spans = objectSpans(world.packed.objects, box);
+        std::vector<Span> spans = objectSpans(world.packed.state.objects, box);
         EXPECT_EQ(spans.size(), std::size_t(box.height()));
         int inside = 0, used = 0;
         for (int j = 0; j < box.height(); ++j) {
@@ -66,7 +66,8 @@ TEST_F(SpansTest, SmallOnesApart) {
 TEST_F(SpansTest, AtTheEdgeAndOutside) {
     expectAllInside(world("Translate 3 0 0\nShape \"sphere\" \"float radius\" 1\n"));
     World far_off = world("Translate 50 0 0\nShape \"sphere\" \"float radius\" 1\n");
-    for (const Span& span : objectSpans(far_off.packed.objects, cropBox(far_off.scene.film))) EXPECT_TRUE(span.empty());
+    for (const Span& span : objectSpans(far_off.packed.state.objects, cropBox(far_off.scene.film)))
+        EXPECT_TRUE(span.empty());
 }
 
 TEST_F(SpansTest, TransformedOnes) {
@@ -98,7 +99,7 @@ TEST_F(SpansTest, CloseAboveTheGround) {
                 EXPECT_GT(expectAllInside(world(groundBelow(height, down, roll))), height < 0.1 ? 0.6 : 0.4);
             }
     const World away = world(groundBelow(0.01, -80.0, 0.0));
-    for (const Span& span : objectSpans(away.packed.objects, cropBox(away.scene.film))) EXPECT_TRUE(span.empty());
+    for (const Span& span : objectSpans(away.packed.state.objects, cropBox(away.scene.film))) EXPECT_TRUE(span.empty());
 }
 
 // Its rays have many starts, however far off it stands.

@@ -39,7 +39,7 @@ struct Planet {
 
     double unit() const { return maps.reliefs[0].greatest_radius; }  ///< R, object units
     const layout::MapData& map() const { return packed.reliefs[0].shader.data; }
-    const layout::ObjectData& object() const { return packed.objects[0]; }
+    const layout::ObjectData& object() const { return packed.state.objects[0].data; }
 
   private:
     void pack(const DisplacedSphere& sphere, Heightmap map) {
