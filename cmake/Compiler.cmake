@@ -10,7 +10,7 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O2")
 set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g")
 # Contraction would make the shader functions compiled as C++ differ from lavapipe's in the last bit.
 add_compile_options(-Wall -Wextra -Wpedantic -Werror -ffp-contract=off)
-# GCC 12 drops roundings in the vectors that this makes: two doubles side by side that go to floats and back are copied, and
+# Rule G1 of docs/design.md. GCC 12 drops roundings in the vectors that this makes: two doubles side by side that go to floats and back are copied, and
 # x - double(float(x)) of two is 0. tests/base/rounding_test.cpp has both.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     add_compile_options(-fno-tree-slp-vectorize)

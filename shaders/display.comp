@@ -12,7 +12,7 @@ layout(std430, binding = 2) readonly buffer World {
     DisplayLight lights[DISPLAY_LIGHTS];
 };
 layout(push_constant) uniform Params { DisplayParams params; };
-// A SHOW_. No parameter: lavapipe would set that into a copy of the shader, and compile it, at every dispatch.
+// A SHOW_. No parameter, which lavapipe would set into a copy of the shader and compile at every dispatch (rule L2).
 layout(constant_id = 0) const int kShow = SHOW_COLOUR;
 
 const vec3 kBackground = vec3(0.07, 0.07, 0.08);  // behind values, so that black can be one

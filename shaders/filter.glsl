@@ -134,7 +134,7 @@ const int kInside = 4;  // a hit where it starts
 
 // State of the walk along a piece: at x, in `cell`, whose column may lie beyond the map's first or last. Where it does not
 // go on, or halves a chord, it stays at the last chord's start. Loops keep no more than they must: on lavapipe each value
-// costs masked copies a turn.
+// costs masked copies in every turn (rule L12).
 struct Stroll {
     ivec2 cell;
     real x;

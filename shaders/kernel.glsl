@@ -79,8 +79,8 @@ Task findRetryTask() {
     return task;
 }
 
-// An invocation's n-th. A group's lie side by side, and eight lanes in a row have 4 x 2 pixels: their rays differ less
-// than those of 8 x 1.
+// An invocation's n-th. A group's lie side by side, and eight lanes in a row have 4 x 2 pixels, whose rays differ less than
+// those of 8 x 1 (rule L10).
 Task findTask(const int n) {
     if (kIsRetry) return findRetryTask();
     ivec2 lane = ivec2(XY(gl_LocalInvocationID));

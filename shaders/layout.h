@@ -17,7 +17,7 @@ using uint = std::uint32_t;
 #define GROUP_SIZE_Y 8
 #define PROBE_GROUP_SIZE 64
 
-#define BINDING_OBJECTS 0  // uniform buffers: lavapipe reads storage buffers lane by lane
+#define BINDING_OBJECTS 0  // uniform buffers: lavapipe reads storage buffers lane by lane (rule L4)
 // MAX_OBJECTS a level of detail, one an object in the same order: a looked-up index would not count as uniform.
 #define BINDING_MAPS 1
 #define BINDING_LIGHTS 2
@@ -63,7 +63,7 @@ using uint = std::uint32_t;
 #define SPEC_RADIUS_Y 18
 #define SPEC_SHADOWS 19         // 0: light passes through everything
 #define SPEC_REGULARIZE 20      // 1: later facets are rougher
-#define SPEC_RETRY_STRIDE 21    // invocations from one retried pixel to the next: their rays have nothing in common
+#define SPEC_RETRY_STRIDE 21    // invocations from one retried pixel to the next, whose rays differ (rule N1)
 #define SPEC_ONLY_DISPLACED 22  // the scene's only displaced sphere, by its index; -1: it has none or several
 #define SPEC_ONLY_PLAIN 23      // the same of all other objects
 #define SPEC_TURNS 24           // pixels that an invocation takes, one after the other; shade_paths alone
@@ -152,9 +152,9 @@ using uint = std::uint32_t;
 #define PLANE_FLAGS 29  // bit 0: inside, bit 1: the step limit ended the march (never, if all is well)
 #define PLANE_COUNT 30
 
-// Loops of one invocation share 65,535 back-edges on lavapipe, all rays of its pixels together, and end silently there;
-// its whole SIMD group shares them, and pays the sum where its lanes are not long at once. A march takes some 25 on
-// average; the longest, across a pole of a map 16,384 wide, passes 8,192 cells of 4 fetches each.
+// Loops of one invocation share 65,535 back-edges on lavapipe (rule L7), all rays of its pixels together, and end
+// silently there; its whole SIMD group shares them, and pays the sum where its lanes are not long at once. A march
+// takes some 25 on average; the longest, across a pole of a map 16,384 wide, passes 8,192 cells of 4 fetches each.
 #define MAX_STEPS 48000
 #define MAX_MARCHES 640  // shapes times (lights + 1)
 // An invocation whose searches took more takes no further pixel. A back-edge through a cell is 4 steps.
@@ -280,7 +280,7 @@ struct RenderParams {
 };
 
 // The head of the list of pixels that follows it. Its first three numbers are those of an indirect dispatch, in rows of
-// RETRY_ROW workgroups: no device must take more than 65,535 in a row.
+// RETRY_ROW workgroups: no device must take more than 65,535 in a row (rule N2).
 #define RETRY_ROW 1024
 struct RetryHead {
     uint groups[3], count;

@@ -8,7 +8,7 @@ bool isLight(const LightData light, const int kind) {
     return kLightKinds == 1 << kind || (sceneHasLight(kind) && light.kind == kind);
 }
 
-// Storage images, not textures: filtering may snap weights to 8 bits, and on lavapipe a load costs half a texelFetch.
+// Storage images, not textures (rule L5): filters may round weights to 8 bits, and on lavapipe a load costs half a texelFetch.
 real heightAt(const MapData map, const int column, const int row) {
     // Only levels of detail do not start at the image's left edge.
     int x = kDetail > real(0) ? map.heights_x + column : column;

@@ -3,10 +3,10 @@
 // cells there and finds the first root along each chord; refine polishes it. Object space, units of R. Expects walk.glsl
 // and the resource functions faceRow(map, axis, sign) and boundAt(map, face_row, side, i, j).
 
-// Loops whose turns differ from ray to ray here and elsewhere test their limit at the start and their end at the end. A test
-// for the end at the start would run the body once more on lavapipe, which goes on until no lane is left; and with a test
-// at the end alone lanes that left early would read what the body computes later (Mesa 22.3 masks what it keeps from turn
-// to turn, and what meets behind several exits, but no other values).
+// Loops whose turns differ from ray to ray, here and elsewhere, test their limit at the start and their end at the end: rule L1
+// of docs/design.md. A test for the end at the start would run the body once more on lavapipe, which goes on until no lane is
+// left. With a test at the end alone, lanes that left early would read what the body computes later: Mesa 22.3 masks what it
+// keeps from turn to turn and what meets behind several exits, but no other values.
 
 // A line in the gnomonic coordinates of one cube face: a = (ca + s da) / (cm + s dm), b likewise. Face axis k = 0, 1, 2
 // (+ sign), a on axis k + 1, b on axis k + 2, each mirrored so that it grows along the line.
@@ -85,8 +85,8 @@ void turnFace(INOUT(Cursor) at, const FaceRay face) {
     at.sign_of_face = (at.across_a ? face.mirrors_a : face.mirrors_b) ? real(-1) : real(1);
 }
 
-// One step: descend below a bound that the ray dips under, or leave the cell. Choices instead of branches: under lavapipe's
-// masks what a branch assigns is copied once more.
+// One step: descend below a bound that the ray dips under, or leave the cell. Choices instead of branches: what a branch
+// assigns is copied once more under lavapipe's masks (rule L12).
 void traverseStep(INOUT(Cursor) at, const FaceRay face, const int face_row, const Ray ray, const MapData map,
                   const real s_end) {
     real corner_a = real(at.i) * at.width - real(1);

@@ -3,10 +3,11 @@
 // optimizer takes out.
 // A variant of a shader is a choice of folders that its includes are looked for in: patch_bilinear or patch_curved,
 // search_filter, search_full, search_both or search_baseline, scene_planet or scene_general, shade_lambert or shade_paths,
-// rays_camera or rays_listed (src/render/CMakeLists.txt). Their constants, such as kPaths, stand alone in a condition:
-// glslang makes a specialization constant of one that is joined with another by && or ||, which nothing compiles away.
-// The marcher's and the shading's parameters are const: glslang copies others into variables, and drivers then take
-// twice as long to translate a shader.
+// rays_camera or rays_listed (src/render/CMakeLists.txt). Variants, not constants: drivers would inline all before they
+// drop any (rule N3). A variant's constants, such as kPaths, stand alone in a condition: glslang makes a specialization
+// constant of one that is joined with another by && or ||, which nothing compiles away.
+// Parameters are const (rule L8): glslang copies others into variables, and drivers then take twice as long to translate a
+// shader.
 #define real float
 #define INOUT(T) inout T
 #define OUT(T) out T

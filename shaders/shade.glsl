@@ -208,7 +208,7 @@ Candidates displacedNear(const vec3 start, const vec3 direction) {
         addIfNear(candidates, kOnlyDisplaced, start, direction);
     else {
         int k = 0;
-        [[dont_unroll]] do {
+        [[dont_unroll]] do {  // rule L9
             addIfNear(candidates, k, start, direction);
         } while (++k < kObjectCount);
     }
@@ -261,9 +261,9 @@ SurfacePoint nearestHit(const Segment segment) {
     best.steps = 0;
     best.level = 0;
     best.clear = -kInfinity;
-    best.ramp = -1;  // lest it be the object's alone: see uniforms.glsl
+    best.ramp = -1;  // so that it is not the object's alone (rule L2)
     best.t = kInfinity;
-    // Not even a loop of one turn is free: it stands between the driver and what it could do once.
+    // Not even a loop of one turn is free: it stands between the driver and what it could do once (rule L3).
     if (kObjectCount == 1) {
         considerObject(best, 0, segment, ~0);
         return best;

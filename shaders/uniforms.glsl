@@ -1,8 +1,8 @@
-// Uniform data at constant indices, which main() reads before all else. lavapipe (Mesa 22.3) reads a uniform once for all
-// lanes only where none can be masked: outside of every if and loop, and before any return. Elsewhere each lane fetches it,
-// some 28 instructions a float.
-// Whoever uses them must have no branch that depends on them alone: lavapipe would set their values into a copy of the
-// shader, and compile that, at worst for every dispatch. So isKind() and its like ask the specialization constants first.
+// Uniform data at constant indices, which main() reads before all else (rule L3 of docs/design.md): lavapipe (Mesa 22.3) reads a
+// uniform once for all lanes only where none can be masked, outside of every if and loop and before any return. Elsewhere each
+// lane fetches it, some 28 instructions per float.
+// No branch may depend on them alone (rule L2): lavapipe would set their values into a copy of the shader and compile that, at
+// worst for every dispatch. So isKind() and its like ask the specialization constants first.
 // Expects `params`, the parameters that are `pushed`.
 
 const int kMainObject = kObjectCount == 1 || kOnlyDisplaced < 0 ? 0 : kOnlyDisplaced;
