@@ -2,7 +2,7 @@
 #include "cli/commands.h"
 #include "cli/print.h"
 #include "cli/signals.h"
-#include "cli/words.h"
+#include "cli/usage.h"
 
 #include <fmt/format.h>
 
@@ -42,7 +42,7 @@ int run(int argc, char** argv) {
     addImport(app, action);
     addGenerate(app, action);
     addDevices(app, action);
-    checkWords(app, argc, argv);
+    checkArguments(app, argc, argv);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

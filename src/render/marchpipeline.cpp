@@ -66,14 +66,14 @@ std::vector<Binding::Kind> bindingsOf(Shader shader) {
 
 }  // namespace
 
-bool isNarrow(const gpu::Device& device) {
+bool runsOnCpu(const gpu::Device& device) {
     return device.info().type == "CPU";
 }
 
 // Baselines have no second pipeline to leave pixels to. Fewer turns where a pixel's loops are long before any march,
 // and where cores are many: each has to find groups to run.
 int turnsOf(const gpu::Device& device, const SceneTraits& traits, const MarchMethod& method) {
-    if (!traits.needsPaths() || method.marcher != Marcher::Exact || !isNarrow(device)) return 1;
+    if (!traits.needsPaths() || method.marcher != Marcher::Exact || !runsOnCpu(device)) return 1;
     const std::uint64_t vertices = traits.paths.max_depth + 1;
     const std::uint64_t lights = traits.paths.diffuse_paths ? traits.lights + vertices : traits.lights * vertices;
     const std::uint64_t loops = (vertices + lights) * (2 * traits.objects + traits.triangles + 1);
@@ -88,7 +88,7 @@ gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& t
     specialization[SPEC_TURNS] = listed ? 1u : std::uint32_t(turnsOf(device, traits, method));
     specialization[SPEC_LISTED] = listed ? 1 : 0;
     // One ray that takes long holds up all that share its instructions (rule N1).
-    specialization[SPEC_RETRY_STRIDE] = isNarrow(device) ? 1 : 32;
+    specialization[SPEC_RETRY_STRIDE] = runsOnCpu(device) ? 1 : 32;
     struct Kind {
         std::uint32_t push_bytes;
         const char* name;

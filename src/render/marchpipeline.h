@@ -11,9 +11,9 @@ namespace dsphere {
 
 enum class Shader { Render, Probe, Query };
 
-/// A CPU: few invocations share their instructions, and its driver makes machine code at the first dispatch; else there
-/// are invocations to spare.
-bool isNarrow(const gpu::Device& device);
+/// Whether the device is a CPU: few invocations share their instructions then, and its driver makes machine code at the
+/// first dispatch. Other devices have invocations to spare.
+bool runsOnCpu(const gpu::Device& device);
 
 /// Pixels that an invocation of the first pipeline takes, one after the other, so that those whose paths end early are
 /// not idle until the longest of their group has.

@@ -3,11 +3,11 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/overloads.h"
-#include "render/narrow.h"
 #include "render/packlevels.h"
 #include "render/packlight.h"
 #include "render/packmaterial.h"
 #include "render/packmesh.h"
+#include "render/tovec4.h"
 #include "scene/ramps.h"
 
 #include <algorithm>
@@ -49,14 +49,14 @@ Frame frameOf(const Shape& shape, double unit) {
 
 /// A vector as the shader keeps it twice as long: row + row_lo, whose sum has 48 bits.
 void splitInto(vec4& row, vec4& row_lo, const dvec3& v) {
-    row = narrow(v, 0.0);
-    row_lo = narrow(v - dvec3(row), 0.0);
+    row = toVec4(v, 0.0);
+    row_lo = toVec4(v - dvec3(row), 0.0);
 }
 
 /// The same with 12 leading bits in `row`, so that its product with a pixel count is exact.
 void splitStep(vec4& row, vec4& row_lo, const dvec3& v) {
     for (int c = 0; c < 3; ++c) row[c] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(float(v[c])) & 0xfffff000u);
-    row_lo = narrow(v - dvec3(row), 0.0);
+    row_lo = toVec4(v - dvec3(row), 0.0);
 }
 
 // The rays start at a point and have a direction that are linear in x and y; so is then their point at one multiple of
@@ -86,9 +86,9 @@ void packCameraRays(ObjectData& object, const Frame& frame, const Raster& raster
     splitStep(object.point_x, object.point_x_lo, toObject(raster.start.right) / frame.unit + steps * dx);
     splitStep(object.point_y, object.point_y_lo, toObject(raster.start.down) / frame.unit + steps * dy);
     object.direction_0.w = float(steps);
-    object.from_start = narrow(world_centre - world_start, 0.0);
-    object.start_x = narrow(raster.start.right, 0.0);
-    object.start_y = narrow(raster.start.down, 0.0);
+    object.from_start = toVec4(world_centre - world_start, 0.0);
+    object.start_x = toVec4(raster.start.right, 0.0);
+    object.start_y = toVec4(raster.start.down, 0.0);
 }
 
 // What a pixel spans at least: directions grow towards the picture's corners, and rays are counted by their length.
@@ -110,7 +110,7 @@ void packTransforms(ObjectData& object, const Frame& frame) {
     dmat4 to_object = glm::transpose(frame.object_from_world);  // columns are now rows
     dmat4 to_world = glm::transpose(frame.world_from_object);
     auto objectRow = [&](int i) { return vec4(to_object[i] / frame.unit); };
-    auto worldRow = [&](int i) { return narrow(dvec3(to_world[i]) * frame.unit, to_world[i].w); };
+    auto worldRow = [&](int i) { return toVec4(dvec3(to_world[i]) * frame.unit, to_world[i].w); };
     object.to_object_x = objectRow(0);
     object.to_object_y = objectRow(1);
     object.to_object_z = objectRow(2);
@@ -252,7 +252,7 @@ PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels) 
         packGeometry(object, packed, shape, maps.map_of_shape[i], maps.reliefs[i], levels);
         packTransforms(object.data, frameOf(shape, object.unit));
         object.data.from_first =
-            narrow(centreOf(shape) - centreOf(scene.shapes[0]), holdingRadius(object.data, shape, object.unit));
+            toVec4(centreOf(shape) - centreOf(scene.shapes[0]), holdingRadius(object.data, shape, object.unit));
         packed.state.objects.push_back(std::move(object));
     }
     packImages(packed, scene, maps);
@@ -260,7 +260,7 @@ PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels) 
     packCamera(packed.state, scene);
     packLook(packed.state, packed.tables, scene, maps);
     for (const Ramp& ramp : ramps())
-        for (const dvec3& point : ramp.points) packed.ramp_points.push_back(narrow(point, 1.0));
+        for (const dvec3& point : ramp.points) packed.ramp_points.push_back(toVec4(point, 1.0));
     return packed;
 }
 

@@ -1,8 +1,8 @@
 #include "render/packlight.h"
 
 #include "base/overloads.h"
-#include "render/narrow.h"
 #include "render/packimage.h"
+#include "render/tovec4.h"
 #include "render/traits.h"
 
 #include <algorithm>
@@ -55,31 +55,31 @@ void shareOut(std::vector<LightData>& lights, const std::vector<double>& irradia
 void packAreaLight(LightData& data, const AreaLight& light, const Scene& scene, const dvec3& first_centre) {
     const Shape& shape = scene.shapes[std::size_t(light.shape)];
     data.object = light.shape;
-    data.radiance = narrow(light.radiance, 0.0);
+    data.radiance = toVec4(light.radiance, 0.0);
     data.two_sided = light.two_sided ? 1 : 0;
     const dmat4& world = shape.world_from_object;
     const double scale = glm::length(dvec3(world[0]));  // the transform keeps angles
     if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-        data.position = narrow(transformPoint(world, dvec3(0.0)) - first_centre, 1.0);
+        data.position = toVec4(transformPoint(world, dvec3(0.0)) - first_centre, 1.0);
         data.measure = float(sphere->radius * scale);
         return;
     }
     const Disk& disk = std::get<Disk>(shape.geometry);
     const double inner = disk.inner_radius / disk.radius, radius = disk.radius * scale;
-    data.position = narrow(transformPoint(world, dvec3(0.0, 0.0, disk.height)) - first_centre, 1.0);
-    data.x_axis = narrow(disk.radius * dvec3(world[0]), 0.0);
-    data.y_axis = narrow(disk.radius * dvec3(world[1]), 0.0);
-    data.z_axis = narrow(transformNormal(glm::inverse(world), dvec3(0.0, 0.0, 1.0)), 0.0);
+    data.position = toVec4(transformPoint(world, dvec3(0.0, 0.0, disk.height)) - first_centre, 1.0);
+    data.x_axis = toVec4(disk.radius * dvec3(world[0]), 0.0);
+    data.y_axis = toVec4(disk.radius * dvec3(world[1]), 0.0);
+    data.z_axis = toVec4(transformNormal(glm::inverse(world), dvec3(0.0, 0.0, 1.0)), 0.0);
     data.inner_squared = float(inner * inner);
     data.measure = float(kPi * radius * radius * (1.0 - inner * inner));
 }
 
 void packInfiniteLight(LightData& data, const InfiniteLight& light, const SceneMaps& maps, const PathTables& tables) {
-    data.radiance = narrow(light.radiance, 0.0);
+    data.radiance = toVec4(light.radiance, 0.0);
     const dmat3 world_from_light = light.world_from_light;
-    data.x_axis = narrow(world_from_light[0], 0.0);
-    data.y_axis = narrow(world_from_light[1], 0.0);
-    data.z_axis = narrow(world_from_light[2], 0.0);
+    data.x_axis = toVec4(world_from_light[0], 0.0);
+    data.y_axis = toVec4(world_from_light[1], 0.0);
+    data.z_axis = toVec4(world_from_light[2], 0.0);
     if (data.kind != LIGHT_IMAGE) return;
     const ColourMap& image = *maps.images[std::size_t(maps.light_image)];
     data.width = image.width();
@@ -100,12 +100,12 @@ std::vector<LightData> packLights(const Scene& scene, const SceneMaps& maps, con
         data.object = -1;
         const auto pack =
             Overloads{[&](const DistantLight& distant) {
-                          data.position = narrow(distant.direction, 0.0);
-                          data.radiance = narrow(distant.radiance, 0.0);
+                          data.position = toVec4(distant.direction, 0.0);
+                          data.radiance = toVec4(distant.radiance, 0.0);
                       },
                       [&](const PointLight& point) {
-                          data.position = narrow(point.position - first_centre, 1.0);
-                          data.radiance = narrow(point.intensity, 0.0);
+                          data.position = toVec4(point.position - first_centre, 1.0);
+                          data.radiance = toVec4(point.intensity, 0.0);
                       },
                       [&](const InfiniteLight& infinite) { packInfiniteLight(data, infinite, maps, tables); },
                       [&](const AreaLight& area) { packAreaLight(data, area, scene, first_centre); }};

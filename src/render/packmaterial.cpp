@@ -1,7 +1,7 @@
 #include "render/packmaterial.h"
 
 #include "base/overloads.h"
-#include "render/narrow.h"
+#include "render/tovec4.h"
 #include "render/traits.h"
 #include "scene/ramps.h"
 
@@ -29,8 +29,8 @@ void packConductor(MaterialData& data, const Conductor& conductor, const PathTab
     const PathTables::Loss& loss = tables.losses.at(conductor.alpha);
     data.table = loss.place;
     data.alpha = float(conductor.alpha);
-    data.eta = narrow(conductor.eta, 0.0);
-    data.k = narrow(conductor.k, 0.0);
+    data.eta = toVec4(conductor.eta, 0.0);
+    data.k = toVec4(conductor.k, 0.0);
     if (loss.mean < 1e-9) return;
     for (int c = 0; c < 3; ++c) {
         const double fresnel = meanFresnel(conductor.eta[c], conductor.k[c]);
@@ -50,14 +50,14 @@ MaterialData packMaterial(const Material& material, const PathTables& tables) {
     data.kind = materialKind(material);
     const auto pack = Overloads{[&](const Matte& matte) { packMatte(data, matte); },
                                 [&](const Conductor& metal) { packConductor(data, metal, tables); },
-                                [&](const Mirror& mirror) { data.specular = narrow(mirror.reflectance, 0.0); },
+                                [&](const Mirror& mirror) { data.specular = toVec4(mirror.reflectance, 0.0); },
                                 [&](const Plastic& plastic) {
-                                    data.specular = narrow(plastic.specular, 0.0);
+                                    data.specular = toVec4(plastic.specular, 0.0);
                                     data.alpha = float(plastic.alpha);
                                 }};
     std::visit(pack, material);
     if (const auto* board = textureAs<Checkerboard>(material)) {
-        data.odd = narrow(board->odd, 0.0);
+        data.odd = toVec4(board->odd, 0.0);
         data.checkerboard = 1;
         data.u_scale = float(board->u_scale);
         data.v_scale = float(board->v_scale);
@@ -66,13 +66,13 @@ MaterialData packMaterial(const Material& material, const PathTables& tables) {
 }
 
 void packTexture(ObjectData& object, const Texture& texture) {
-    std::visit(Overloads{[&](const ConstantColour& constant) { object.albedo = narrow(constant.rgb, 1.0); },
+    std::visit(Overloads{[&](const ConstantColour& constant) { object.albedo = toVec4(constant.rgb, 1.0); },
                          [&](const HeightRamp& ramp) {
                              object.ramp = findRamp(ramp.ramp);
-                             object.texture_scale = narrow(ramp.scale, 1.0);
+                             object.texture_scale = toVec4(ramp.scale, 1.0);
                          },
-                         [&](const ImageMap& image) { object.texture_scale = narrow(image.scale, 1.0); },
-                         [&](const Checkerboard& board) { object.albedo = narrow(board.even, 1.0); }},
+                         [&](const ImageMap& image) { object.texture_scale = toVec4(image.scale, 1.0); },
+                         [&](const Checkerboard& board) { object.albedo = toVec4(board.even, 1.0); }},
                texture);
 }
 
@@ -94,7 +94,7 @@ void packColour(ObjectData& object, const Shape& shape, const Relief& relief) {
                              for (int c = 0; c < 3; ++c)
                                  object.albedo[c] = float(fresnelOf(1.0, metal.eta[c], metal.k[c]));
                          },
-                         [&](const Mirror& mirror) { object.albedo = narrow(mirror.reflectance, 1.0); },
+                         [&](const Mirror& mirror) { object.albedo = toVec4(mirror.reflectance, 1.0); },
                          [&](const Plastic& plastic) { packTexture(object, plastic.diffuse); }},
                shape.material);
 }

@@ -58,9 +58,9 @@ PassPipelines::PassPipelines(gpu::Device& device, const SceneTraits& traits, flo
             full_ = std::async(std::launch::async, make, std::cref(kFull), false).share();
         if (traits.tiles) listed_ = std::async(std::launch::async, make, std::cref(kFilter), true).share();
     };
-    if (!isNarrow(device)) startFull();
+    if (!runsOnCpu(device)) startFull();
     first_ = make(exact ? kFilter : kBaseline);
-    if (isNarrow(device)) startFull();
+    if (runsOnCpu(device)) startFull();
 }
 
 std::future<void> makeAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method,

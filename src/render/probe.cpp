@@ -3,7 +3,7 @@
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
 #include "render/marchpipeline.h"
-#include "render/narrow.h"
+#include "render/tovec4.h"
 #include "shaders/probe_curved.spv.h"
 #include "shaders/probe_lean.spv.h"
 
@@ -20,10 +20,10 @@ layout::ProbeRay packProbe(const ProbeQuery& query) {
     dvec3 d = size > 0.0 ? query.direction / size : query.direction;
     dvec3 point = glm::cross(d, glm::cross(query.origin, d));
     layout::ProbeRay ray = {};
-    ray.point = narrow(point, -glm::dot(query.origin, d));
-    ray.point_lo = narrow(point - dvec3(ray.point), 0.0);
-    ray.direction = narrow(d, query.length);
-    ray.direction_lo = narrow(d - dvec3(ray.direction), 0.0);
+    ray.point = toVec4(point, -glm::dot(query.origin, d));
+    ray.point_lo = toVec4(point - dvec3(ray.point), 0.0);
+    ray.direction = toVec4(d, query.length);
+    ray.direction_lo = toVec4(d - dvec3(ray.direction), 0.0);
     ray.flags = query.secondary ? 1u : 0u;
     return ray;
 }

@@ -5,7 +5,7 @@
 #include "gpu/pipeline.h"
 #include "render/devicescene.h"
 #include "render/leftovers.h"
-#include "render/narrow.h"
+#include "render/tovec4.h"
 
 #include <algorithm>
 #include <future>
@@ -46,10 +46,10 @@ inline layout::QueryRay packRay(const dvec3& point, const dvec3& direction, doub
     // farther off.
     constexpr double kFarthest = 1e15;
     layout::QueryRay ray;
-    ray.point = narrow(point, std::clamp(begin, -kFarthest, kFarthest));
-    ray.point_lo = narrow(point - dvec3(ray.point), std::clamp(end, -kFarthest, kFarthest));
-    ray.direction = narrow(direction, secondary ? 1.0 : 0.0);
-    ray.direction_lo = narrow(direction - dvec3(ray.direction), 0.0);
+    ray.point = toVec4(point, std::clamp(begin, -kFarthest, kFarthest));
+    ray.point_lo = toVec4(point - dvec3(ray.point), std::clamp(end, -kFarthest, kFarthest));
+    ray.direction = toVec4(direction, secondary ? 1.0 : 0.0);
+    ray.direction_lo = toVec4(direction - dvec3(ray.direction), 0.0);
     return ray;
 }
 

@@ -97,7 +97,7 @@ std::optional<Pick> Stage::pick(const dvec2& share) {
 void warmUp(gpu::Device& device, const std::string& selector, const SceneTraits& traits, const MarchMethod& method) {
     const std::uint32_t mask = planesOf(Show::Colour);
     std::future<void> made;
-    if (!isNarrow(device)) {
+    if (!runsOnCpu(device)) {
         made = makeAhead(device, traits, method, mask);
         if (made.valid()) made.get();
         return;

@@ -38,7 +38,7 @@ TEST_F(PassTest, TheRetryTakesMoreThanARowOfGroups) {
         return film.read(box, box);
     };
     const Image whole = render(rows), parts = render(4);
-    const std::uint64_t stride = isNarrow(device_) ? 1 : 32,
+    const std::uint64_t stride = runsOnCpu(device_) ? 1 : 32,
                         in_a_row = RETRY_ROW * GROUP_SIZE_X * GROUP_SIZE_Y / stride;
     ASSERT_GT(whole.pixelCount(), in_a_row);
     ASSERT_NE(whole.pixelCount() % in_a_row, 0u);

@@ -6,7 +6,7 @@
 namespace dsphere {
 
 /// (v, w) as the shaders read it.
-inline layout::vec4 narrow(const dvec3& v, double w) {
+inline layout::vec4 toVec4(const dvec3& v, double w) {
     return layout::vec4(glm::vec3(v), float(w));
 }
 

@@ -1,4 +1,4 @@
-#include "cli/words.h"
+#include "cli/usage.h"
 
 #include "base/error.h"
 #include "cli/sceneoptions.h"
@@ -70,7 +70,7 @@ std::string usageOf(const CLI::App& command) {
 
 }  // namespace
 
-void checkWords(const CLI::App& app, int argc, const char* const* argv) {
+void checkArguments(const CLI::App& app, int argc, const char* const* argv) {
     for (int k = 1; k < argc; ++k) {
         const std::string_view word = argv[k];
         if (word.empty()) throwUsage("{}: its value is empty", k > 1 ? argv[k - 1] : "the command line's first word");
