@@ -35,7 +35,7 @@ void requirePlanet(const Scene& scene);
 /// (InvalidInput) without one; errors of loadSceneMaps.
 Workload sceneWorkload(Scene scene);
 
-/// The same with the smooth sphere that lies between its heights: what no method can beat.
+/// The workload's scene with the smooth sphere that lies between its heights: what no method can beat.
 Scene smoothScene(const Workload& workload);
 
 }  // namespace dsphere::bench

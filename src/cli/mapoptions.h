@@ -29,7 +29,7 @@ void requireNone(const MapOptions& options, const std::string& scene);
 /// Overrides what is given. Error (Usage) where two exclude each other.
 void applyTo(DisplacedSphere& sphere, const MapOptions& options);
 
-/// The same for the whole scene that shows a map: with another radius the camera moves out as the planet grows.
+/// applyTo() for the whole scene that shows a map: with another radius the camera moves out as the planet grows.
 void applyTo(Scene& scene, const MapOptions& options);
 
 }  // namespace dsphere::cli

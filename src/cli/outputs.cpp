@@ -40,7 +40,7 @@ std::optional<Identity> outputIdentity(const fs::path& path) {
     return stat(path.c_str(), &found) == 0 ? identityOf(found) : std::nullopt;
 }
 
-/// The same for two names of a file that does not exist yet.
+/// What is equal for two names of a file that does not exist yet.
 fs::path placeOf(const fs::path& path) {
     std::error_code ignored;
     return fs::weakly_canonical(fs::absolute(resolveLinks(path), ignored), ignored);

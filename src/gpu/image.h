@@ -41,7 +41,7 @@ class StorageImage {
     /// row without gaps.
     void upload(std::uint32_t layer, std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t height,
                 const void* pixels);
-    /// The same without a copy of the whole: `fill` writes rows `first` to `first + count` of the rectangle to
+    /// upload() without a copy of the whole: `fill` writes rows `first` to `first + count` of the rectangle to
     /// `target`, without gaps, and is called from the top down.
     using FillRows = std::function<void(std::uint32_t first, std::uint32_t count, std::byte* target)>;
     void uploadRows(std::uint32_t layer, std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t height,

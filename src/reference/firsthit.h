@@ -19,9 +19,9 @@ inline constexpr double kSideways = 1e-6;
 /// Takes bounded time on any ray and map. Does not set least_f.
 FirstHit firstHit(const Surface& surface, const Ray& ray);
 
-/// The same, with least_f, and with Tangent if moving the ray sideways by at most kSideways R turns hit into miss, miss
-/// into hit, or makes the root jump to another one. `hit`, t_low ... stay those of the ray itself. About 40 times the
-/// cost of firstHit.
+/// firstHit() with least_f, and with Tangent if moving the ray sideways by at most kSideways R turns hit into miss,
+/// miss into hit, or makes the root jump to another one. `hit`, t_low ... stay those of the ray itself. About 40 times
+/// the cost of firstHit.
 FirstHit classify(const Surface& surface, const Ray& ray);
 
 /// The ray with its origin moved; the offset is in object units.

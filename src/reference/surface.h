@@ -44,7 +44,7 @@ class Surface {
 
     /// Bounds of r over u0 <= u <= u1 (any reals; wraps), 0 <= v0 <= v <= v1 <= 1.
     RadiusBounds bounds(double u0, double u1, double v0, double v1) const;
-    /// The same in cell coordinates: column0 in [0, columns), column1 >= column0 unwrapped.
+    /// bounds() in cell coordinates: column0 in [0, columns), column1 >= column0 unwrapped.
     RadiusBounds cellBounds(double column0, double column1, double row0, double row1) const;
 
     double greatestRadius() const { return greatest_radius_; }  ///< R: over all nodes, rounded outward

@@ -103,7 +103,7 @@ class Tracer {
     std::uint32_t litLights(const ShadingPoint& point, const SampleSource& source) const;
     /// f cos(n, l) towards the viewer for light from a direction (unit); 0 below the surface, and of mirrors.
     dvec3 reflected(const ShadingPoint& point, const dvec3& l) const;
-    /// The same with the texture's colour, `reflectance`, given: on meshes and images it takes longer than the rest.
+    /// reflected() for a texture colour that is known: to look it up takes longer than the rest on meshes and images.
     dvec3 reflected(const ShadingPoint& point, const dvec3& l, const dvec3& colour) const;
     /// Radiance towards the viewer as the planes of a pixel's centre hold it: emission, and of each light whose bit is
     /// set in `lit` the sample of vertex 0.

@@ -71,7 +71,7 @@ void uploadNodes(gpu::StorageImage& image, const NodeGrid& nodes, Stack::Place p
                      });
 }
 
-// The same of what a spline has at the nodes.
+// Uploads what a spline has at the nodes: value, slopes and twist.
 void uploadSpline(gpu::StorageImage& image, const NodeGrid& nodes, Stack::Place place) {
     const SplineNodes spline(nodes);
     int width = nodes.width(), rows_at_once = std::max(1, (1 << 20) / width);

@@ -53,7 +53,7 @@ void splitInto(vec4& row, vec4& row_lo, const dvec3& v) {
     row_lo = toVec4(v - dvec3(row), 0.0);
 }
 
-/// The same with 12 leading bits in `row`, so that its product with a pixel count is exact.
+/// Like splitInto, but with 12 leading bits in `row`, so that its product with a pixel count is exact.
 void splitStep(vec4& row, vec4& row_lo, const dvec3& v) {
     for (int c = 0; c < 3; ++c) row[c] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(float(v[c])) & 0xfffff000u);
     row_lo = toVec4(v - dvec3(row), 0.0);

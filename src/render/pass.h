@@ -43,8 +43,8 @@ class PassPipelines {
 /// for a baseline: its stride may depend on the maps.
 std::future<void> makeAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method,
                             std::uint32_t mask);
-/// The same, and has the driver compile what it leaves for the first dispatch. Nobody else may use the device
-/// meanwhile.
+/// Does what makeAhead does, and has the driver compile what it leaves for the first dispatch. Nobody else may use the
+/// device meanwhile.
 std::future<void> warmAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method,
                             std::uint32_t mask);
 

@@ -9,7 +9,7 @@ namespace dsphere::report {
 /// A page that needs nothing beside it: figures as SVG, light or dark as the reader's system is.
 std::string html(const Results& results);
 
-/// The same in Markdown, without figures but `figure`, the path of one to show ("": none).
+/// The tables and texts of html() in Markdown. `figure`: the path of a picture to show, "": none.
 std::string markdown(const Results& results, const std::string& figure);
 
 /// The main figure as a file of its own: primary rays/s against error. Empty where there is nothing to draw.

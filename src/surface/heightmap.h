@@ -60,7 +60,7 @@ Heightmap loadHeightmap(const DisplacedSphere& shape, std::uint64_t most_held = 
 Heightmap makeTiledHeightmap(std::shared_ptr<const geo::LargeMap> source, const DisplacedSphere& shape,
                              const MapProgress& progress = {});
 
-/// The same from samples already in memory (tests, generated maps).
+/// loadHeightmap() from samples already in memory (tests, generated maps).
 Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape);
 
 /// How a map given in place of a scene is drawn when it knows its radius and its unit: heights in proportion to the
