@@ -76,7 +76,7 @@ TEST(Documents, FilesThatAreNamedExist) {
 
 // A rule that code cites stands in docs/design.md.
 TEST(Documents, RulesForDriversAreThere) {
-    static const std::regex cited(R"(\brule ([LNG]\d+)\b)"), written(R"(\n\| ([LNG]\d+)\. )");
+    static const std::regex cited(R"(\b[Rr]ule ([LNG]\d+)\b)"), written(R"(\n\| ([LNG]\d+)\. )");
     const std::set<std::string> rules = allOf(textOf(kRoot / "docs/design.md"), written);
     EXPECT_GT(rules.size(), 10u);
     std::set<std::string> used;
