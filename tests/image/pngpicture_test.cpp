@@ -37,6 +37,18 @@ TEST(PngPicture, GreyAlphaAndSixteenBits) {
     EXPECT_EQ(wide.at("B").floats()[0], 1.0f);
 }
 
+TEST(PngPicture, TheTransparentColourIsBlackAndHalfAlphaIsHalf) {
+    const TempFolder folder;
+    const std::string key = pngChunk("tRNS", {0, 9});
+    for (int depth : {8, 16}) {
+        const Image image = readPngPicture(folder.write("k.png", pngFile(2, 1, depth, PngColour::Grey, {9, 8}, key)));
+        EXPECT_EQ(image.at("R").floats()[0], 0.0f) << depth;
+        EXPECT_GT(image.at("R").floats()[1], 0.0f) << depth;
+    }
+    const Image half = readPngPicture(folder.write("h.png", pngFile(1, 1, 16, PngColour::GreyAlpha, {65535, 32768})));
+    EXPECT_FLOAT_EQ(half.at("G").floats()[0], float(32768 / 65535.0));
+}
+
 TEST(PngPicture, GoesThereAndBack) {
     const TempFolder folder;
     Image image;
