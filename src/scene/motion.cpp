@@ -21,6 +21,11 @@ bool isMirrored(const dmat4& m) {
     return glm::determinant(dmat3(m)) < 0.0;
 }
 
+/// A camera that leans to the right by so many degrees.
+dmat4 leaning(const dmat4& camera_from_world, double degrees) {
+    return rotationMatrix(degrees, {0.0, 0.0, 1.0}) * camera_from_world;
+}
+
 /// The point of the camera's axis that is nearest the globe's centre: what it looks at, as far as a matrix can tell.
 dvec3 lookedAt(const Scene& scene, const dmat4& world_from_camera) {
     const dvec3 eye(world_from_camera[3]), ahead = glm::normalize(dvec3(world_from_camera[2]));
@@ -82,6 +87,7 @@ void Motion::moveCamera(Scene& scene, double frame) const {
         view.heading = valueOr(Heading, view.heading);
         view.pitch = std::clamp(valueOr(Pitch, view.pitch), -90.0, 90.0);
         lookFrom(scene, view);
+        if (has(Roll)) scene.camera.camera_from_world = leaning(scene.camera.camera_from_world, value(Roll, frame));
     } else if (has(EyeX) || has(LookX) || has(UpX)) {
         const dmat4& camera_from_world = scene.camera.camera_from_world;
         const dmat4 world_from_camera = glm::inverse(camera_from_world);

@@ -25,9 +25,9 @@ void placeSun(Scene& scene, double latitude, double longitude);
 void turnTable(Scene& scene, double degrees);
 
 /// The keys of a path file: a table of comma-separated values. Its first line names the columns: frame; eye_x, eye_y,
-/// eye_z, look_x, look_y, look_z, up_x, up_y, up_z; lat, lon, alt, heading, pitch; fov; sun_lon, sun_lat; exaggeration;
-/// exposure. Each other line is a key of every column that has a value there. Without `frame` they are frames 0,
-/// 1, 2...
+/// eye_z, look_x, look_y, look_z, up_x, up_y, up_z; lat, lon, alt, heading, pitch, roll; fov; sun_lon, sun_lat;
+/// exaggeration; exposure. Each other line is a key of every column that has a value there. Without `frame` they are
+/// frames 0, 1, 2...
 class Motion {
   public:
     /// Error (InvalidInput) that names file, line and column.
@@ -39,6 +39,8 @@ class Motion {
     Scene at(const Scene& scene, double frame) const;
     /// In stops; unset: the file does not say.
     std::optional<double> exposureAt(double frame) const;
+    int keys() const { return keys_; }
+    double lastFrame() const { return last_frame_; }  ///< of the last key
 
   private:
     enum Column {
@@ -56,6 +58,7 @@ class Motion {
         Altitude,
         Heading,
         Pitch,
+        Roll,
         Fov,
         SunLongitude,
         SunLatitude,
@@ -72,6 +75,8 @@ class Motion {
 
     std::string name_;
     std::array<Track, kColumns> tracks_;
+    int keys_ = 0;
+    double last_frame_ = 0.0;
     double least_fov_ = 180.0, greatest_fov_ = 0.0;  ///< of the keys
 };
 

@@ -43,6 +43,7 @@ constexpr ColumnRule kRules[] = {
     {"alt", 0.0, kInfinity, true, Between::Logarithm},
     {"heading", -kInfinity, kInfinity, false, Between::Angle},
     {"pitch", -90.0, 90.0},
+    {"roll", -kInfinity, kInfinity, false, Between::Angle},
     {"fov", 0.0, 179.99, true},
     {"sun_lon", -kInfinity, kInfinity, false, Between::Angle},
     {"sun_lat", -90.0, 90.0},
@@ -79,7 +80,6 @@ class MotionReader {
 
     Motion read() {
         if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
-        int keys = 0;
         for (std::string_view rest = text_; !rest.empty();) {
             const std::size_t end = std::min(rest.find('\n'), rest.size());
             const std::string_view line = trimmed(rest.substr(0, end));
@@ -89,10 +89,10 @@ class MotionReader {
             if (columns_.empty())
                 readHeader(line);
             else
-                readKey(line, keys++);
+                readKey(line, motion_.keys_++);
         }
         if (columns_.empty()) throwInvalid("{}: is empty; expected a line that names the columns", motion_.name_);
-        if (keys == 0) throwInvalid("{}: has no keys below the line that names the columns", motion_.name_);
+        if (motion_.keys_ == 0) throwInvalid("{}: has no keys below the line that names the columns", motion_.name_);
         checkFilled();
         return std::move(motion_);
     }
@@ -124,7 +124,7 @@ class MotionReader {
         requireTogether({Motion::UpX, Motion::UpY, Motion::UpZ});
         requireTogether({Motion::Latitude, Motion::Longitude, Motion::Altitude});
         requireTogether({Motion::SunLongitude, Motion::SunLatitude});
-        for (const int column : {Motion::Heading, Motion::Pitch})
+        for (const int column : {Motion::Heading, Motion::Pitch, Motion::Roll})
             if (named(column) && !named(Motion::Latitude)) fail(nameOf(column), "needs lat, lon and alt");
         for (const int column : {Motion::EyeX, Motion::LookX, Motion::UpX})
             if (named(column) && named(Motion::Latitude)) fail(nameOf(column), "and lat exclude each other");
@@ -158,8 +158,9 @@ class MotionReader {
             throwInvalid("{}:{}: has {} values for {} columns", motion_.name_, line_, words.size(), columns_.size());
         const auto at = std::ranges::find(columns_, kFrame);
         const double frame = at == columns_.end() ? row : number(kFrame, words[std::size_t(at - columns_.begin())]);
-        if (row > 0 && frame <= frame_) fail("frame", "{} comes after {}; frames must grow", frame, frame_);
-        frame_ = frame;
+        double& last = motion_.last_frame_;
+        if (row > 0 && frame <= last) fail("frame", "{} comes after {}; frames must grow", frame, last);
+        last = frame;
         for (std::size_t i = 0; i < words.size(); ++i) {
             if (columns_[i] == kFrame || words[i].empty()) continue;
             const double value = number(columns_[i], words[i]);
@@ -180,7 +181,6 @@ class MotionReader {
     Motion motion_;
     std::vector<int> columns_;  ///< kFrame or a Motion::Column, from left to right
     int line_ = 0;
-    double frame_ = 0.0;  ///< of the key before
 };
 
 Motion Motion::parse(std::string_view text, const std::string& name) {

@@ -57,6 +57,16 @@ TEST(Motion, EyeLookUpAndFovAreALookAt) {
     EXPECT_EQ(scene.camera.fov_degrees, 20.0);
 }
 
+TEST(Motion, ARollLeansToTheRight) {
+    const Scene level = moved("lat,lon,alt,heading,pitch\n10,20,1,30,-60\n", 0);
+    const Scene leaning = moved("lat,lon,alt,heading,pitch,roll\n10,20,1,30,-60,90\n", 0);
+    const dvec3 there(0.3, -0.2, 0.9), was = seen(level, there), is = seen(leaning, there);
+    expectPlace(eyeOf(leaning), eyeOf(level));
+    expectPlace(is, {-was.y, was.x, was.z});
+    expectPlace(seen(moved("lat,lon,alt,roll\n0,0,1,350\n0,0,1,10\n", 0.5), there),
+                seen(moved("lat,lon,alt\n0,0,1\n", 0), there));
+}
+
 TEST(Motion, PlacesLookStraightDownUnlessTold) {
     const Scene down = moved("lat,lon,alt\n0,90,1\n", 0);
     expectPlace(eyeOf(down), {2, 0, 0});
@@ -125,6 +135,7 @@ TEST(Motion, ErrorsNameFileRowAndColumn) {
         {"lat,lon\n1,2\n", "fly.csv:1: column lat: needs alt beside it"},
         {"sun_lat\n1\n", "fly.csv:1: column sun_lat: needs sun_lon beside it"},
         {"heading\n1\n", "fly.csv:1: column heading: needs lat, lon and alt"},
+        {"roll\n1\n", "fly.csv:1: column roll: needs lat, lon and alt"},
         {"lat,lon,alt,look_x,look_y,look_z\n1,2,3,4,5,6\n", "fly.csv:1: column look_x: and lat exclude each other"},
         {"lat,lon,alt\n1,2,0\n", "fly.csv:2: column alt: expected more than 0, not 0"},
         {"lat,lon,alt\n91,2,1\n", "fly.csv:2: column lat: expected at most 90, not 91"},
