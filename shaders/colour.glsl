@@ -5,17 +5,6 @@
 // distances from the nearest texel's centre, found as heights are: (a, b) turned by the centre's angle, in products
 // that do not round.
 
-// a * b exactly (Dekker).
-Pair exactProduct(const real a, const real b) {
-    real a1 = leadingBits(a);
-    real b1 = leadingBits(b);
-    precise real a2 = a - a1;
-    precise real b2 = b - b1;
-    precise real product = a * b;
-    precise real error = (((a1 * b1 - product) + a1 * b2) + a2 * b1) + a2 * b2;  // each sum is exact, in this order
-    return makePair(product, error);
-}
-
 // sqrt(a^2 + b^2) to twice a float's bits.
 Pair exactLength(const real a, const real b) {
     Pair aa = exactProduct(a, a);

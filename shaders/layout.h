@@ -177,8 +177,7 @@ using uint = std::uint32_t;
 struct ObjectData {
     // Camera ray of raster position (x, y), object space in units of R: it passes through the point P = point_0 + X
     // point_x + Y point_y and has the direction d' = direction_0 + X direction_x + Y direction_y, X = x - anchor_x, Y =
-    // y - anchor_y. It starts at P - direction_0.w d'. Each value is the sum of its row and the _lo row after it;
-    // the steps of X and Y have 12 leading bits.
+    // y - anchor_y. It starts at P - direction_0.w d'. Each value is the sum of its row and the _lo row after it.
     vec4 point_0, point_0_lo, point_x, point_x_lo, point_y, point_y_lo;
     vec4 direction_0, direction_0_lo, direction_x, direction_x_lo, direction_y, direction_y_lo;
     vec4 to_object_x, to_object_y, to_object_z;  // rows, world -> object in units of R

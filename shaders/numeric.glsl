@@ -67,13 +67,24 @@ Pair rounded(const Pair pair) {
     return exactSum(pair.hi, pair.lo, real(0));
 }
 
-// base + x step_x + y step_y for whole numbers x and y below 2^12, whose products with the steps' hi (12 bits) are exact.
+// a * b exactly (Dekker).
+Pair exactProduct(const real a, const real b) {
+    real a1 = leadingBits(a);
+    real b1 = leadingBits(b);
+    precise real a2 = a - a1;
+    precise real b2 = b - b1;
+    precise real product = a * b;
+    precise real error = (((a1 * b1 - product) + a1 * b2) + a2 * b1) + a2 * b2;  // each sum is exact, in this order
+    return makePair(product, error);
+}
+
+// base + x step_x + y step_y for whole numbers x and y below 2^24.
 Pair pairLinear(const Pair base, const real x, const Pair step_x, const real y, const Pair step_y) {
-    precise real x_part = x * step_x.hi;
-    precise real y_part = y * step_y.hi;
-    Pair sum = exactSum(base.hi, x_part, base.lo);
-    precise real rest = sum.lo + (x * step_x.lo + y * step_y.lo);
-    return rounded(exactSum(sum.hi, y_part, rest));
+    Pair x_part = exactProduct(x, step_x.hi);
+    Pair y_part = exactProduct(y, step_y.hi);
+    Pair sum = exactSum(base.hi, x_part.hi, base.lo);
+    precise real rest = sum.lo + ((x * step_x.lo + y * step_y.lo) + (x_part.lo + y_part.lo));
+    return rounded(exactSum(sum.hi, y_part.hi, rest));
 }
 
 // (a, b) turned by the angle of sine and cosine e: first = a cos - b sin, second = a sin + b cos. e holds sine and cosine

@@ -11,7 +11,6 @@
 #include "scene/ramps.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace dsphere {
@@ -53,12 +52,6 @@ void splitInto(vec4& row, vec4& row_lo, const dvec3& v) {
     row_lo = toVec4(v - dvec3(row), 0.0);
 }
 
-/// Like splitInto, but with 12 leading bits in `row`, so that its product with a pixel count is exact.
-void splitStep(vec4& row, vec4& row_lo, const dvec3& v) {
-    for (int c = 0; c < 3; ++c) row[c] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(float(v[c])) & 0xfffff000u);
-    row_lo = toVec4(v - dvec3(row), 0.0);
-}
-
 // The rays start at a point and have a direction that are linear in x and y; so is then their point at one multiple of
 // the direction, on the plane through the object's centre parallel to the picture. Counted from the pixel nearest the
 // object's centre all are small: counted from the picture's corner, a small far object's would be differences of large
@@ -80,11 +73,11 @@ void packCameraRays(ObjectData& object, const Frame& frame, const Raster& raster
     object.anchor_x = float(x);
     object.anchor_y = float(y);
     splitInto(object.direction_0, object.direction_0_lo, d0);
-    splitStep(object.direction_x, object.direction_x_lo, dx);
-    splitStep(object.direction_y, object.direction_y_lo, dy);
+    splitInto(object.direction_x, object.direction_x_lo, dx);
+    splitInto(object.direction_y, object.direction_y_lo, dy);
     splitInto(object.point_0, object.point_0_lo, start + steps * d0);
-    splitStep(object.point_x, object.point_x_lo, toObject(raster.start.right) / frame.unit + steps * dx);
-    splitStep(object.point_y, object.point_y_lo, toObject(raster.start.down) / frame.unit + steps * dy);
+    splitInto(object.point_x, object.point_x_lo, toObject(raster.start.right) / frame.unit + steps * dx);
+    splitInto(object.point_y, object.point_y_lo, toObject(raster.start.down) / frame.unit + steps * dy);
     object.direction_0.w = float(steps);
     object.from_start = toVec4(world_centre - world_start, 0.0);
     object.start_x = toVec4(raster.start.right, 0.0);
