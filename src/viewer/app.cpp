@@ -86,7 +86,7 @@ bool App::idle() const {
     if (frames_due_ > 0 || !window_.visible()) return !window_.visible();
     if (!ui_.message.text.empty() && !ui_.message.stays() && window_.now() > ui_.message.until - kFade) return false;
     if (!stage_) return true;
-    if (flight_) return false;
+    if (flight_ || playing_) return false;
     if (begun_ && schedule_.draft() && stage_->film().samples() == 0) return false;
     return schedule_.want(window_.now(), targetSamples()) == Schedule::Want::Nothing && !schedule_.draft();
 }
@@ -282,7 +282,7 @@ void App::run() {
         else if (fresh || flew || frames_due_ > 0 || (late && (!idle() || fading || loader_.busy())))
             drawFrame();
         fadeMessage();
-        const bool at_rest = !flight_ && hand_.drag == Hand::Drag::None && !ImGui::IsAnyItemActive();
+        const bool at_rest = !flight_ && !playing_ && hand_.drag == Hand::Drag::None && !ImGui::IsAnyItemActive();
         if (stage_ && at_rest && !schedule_.moving(window_.now())) history_.add(state());
     }
 }

@@ -11,6 +11,7 @@
 #include "viewer/loader.h"
 #include "viewer/presenter.h"
 #include "viewer/recent.h"
+#include "viewer/recordedpath.h"
 #include "viewer/schedule.h"
 #include "viewer/stage.h"
 #include "viewer/ui.h"
@@ -89,6 +90,15 @@ class App {
     void copyCamera();
     std::string freeName() const;
 
+    // play.cpp: keys of the camera
+    PathFile pathFile() const;
+    void addKey();
+    void restoreKeys(const std::vector<std::string>& wanted);
+    void play();
+    void playStep();
+    void stopPlaying();
+    bool endsPlaying(const Event& event);
+
     // app.cpp: the loop
     void listen(double wait);
     bool called() const;
@@ -141,6 +151,12 @@ class App {
 
     Hand hand_;
     std::optional<Flight> flight_;
+    struct Playing {
+        RecordedPath keys;
+        double since;  ///< the window's time
+        int frame = 0;
+    };
+    std::optional<Playing> playing_;
     double last_click_ = -1e9;  ///< when the left button went down last
     dvec2 last_click_at_{0.0};
     bool second_click_ = false;            ///< the button that is down may end a double click

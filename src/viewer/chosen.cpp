@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <filesystem>
+#include <vector>
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include "viewer/app.h"
 #include "viewer/displayworld.h"
@@ -28,6 +31,7 @@ State App::state() const {
 // What differs in the scene is followed by the next turn of the loop.
 void App::adopt(const State& wanted) {
     const State present = state();
+    if (wanted.recorded != present.recorded) restoreKeys(wanted.recorded);
     const bool view_changed = !(wanted.view == present.view), tone_changed = !(wanted.tone == present.tone);
     chosen_ = wanted;
     control_->setTarget(std::min(wanted.target, stage_->document().bodies->count() - 1));
@@ -143,6 +147,8 @@ void App::noteState(nlohmann::json& line) const {
     const ShapeEdits& edits = now.edits.shapes[now.target];
     const auto* relief = std::get_if<DisplacedSphere>(&stage_->document().original.shapes[now.target].geometry);
     line["altitude"] = control_->altitude();
+    const double* numbers = glm::value_ptr(now.camera.camera_from_world);
+    line["camera"] = std::vector<double>(numbers, numbers + 16);
     const Gauges gauges = gaugesOf(*control_, stage_->document(), area()[0], area()[1]);
     line["north"] = {gauges.north.x, gauges.north.y};
     line["night_light"] = now.edits.night_light;
@@ -186,6 +192,7 @@ void App::note(bool shown) {
                            {"path_box", ui_.path.open},
                            {"go_to", ui_.go_to.open},
                            {"flying", flight_.has_value()},
+                           {"playing", playing_ ? playing_->frame : -1},
                            {"closing", ui_.closing},
                            {"hover", figures.hover},
                            {"message", ui_.message.text},

@@ -89,6 +89,12 @@ bool App::runForFiles(Command command) {
         case Command::SaveScene:
             saveScene();
             return true;
+        case Command::AddKey:
+            addKey();
+            return true;
+        case Command::PlayPath:
+            play();
+            return true;
         case Command::Reload:
             open(stage_->document().path);
             return true;

@@ -109,7 +109,11 @@ void App::show(Loaded loaded) {
         chosen_.edits = loaded.edits;
     else
         chosen_.edits = refit(chosen_.edits, document.original, options_.exaggeration, loaded.lost);
-    if (!same) saved_edits_ = loaded.edits;
+    if (!same) {
+        saved_edits_ = loaded.edits;
+        chosen_.recorded.clear();
+        playing_.reset();
+    }
     watcher_.watch(document.files());
     auto stage = std::make_unique<Stage>(renders_, std::move(loaded.document), chosen_.view.method);
     presenter_.finish();

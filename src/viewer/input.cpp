@@ -50,6 +50,7 @@ void App::handle(const Event& event) {
         applyUi();
     }
     cursor_ = event.cursor;
+    if (endsPlaying(event)) return;
     switch (event.kind) {
         case Event::Press: {
             const bool panel = onPanel(event.cursor);
@@ -235,6 +236,10 @@ void App::fitView() {
 
 bool App::flyStep(double seconds) {
     if (!stage_) return false;
+    if (playing_) {
+        playStep();
+        return true;
+    }
     if (flight_) {
         control_->setPose(flight_->at(last_poll_));
         if (flight_->over(last_poll_)) flight_.reset();

@@ -42,6 +42,8 @@ enum class Command {
     Screenshot,
     CopyCamera,
     SaveScene,
+    AddKey,
+    PlayPath,
     Escape,
     Quit,
     QuitUnsaved,

@@ -61,6 +61,13 @@ fs::path samplesFolder() {
     return (cache.empty() ? fs::temp_directory_path() / "dsphere" : cache) / "samples";
 }
 
+/// The number of kSamples where the path is no sample's.
+std::size_t sampleOf(const std::string& path) {
+    std::size_t sample = 0;
+    while (sample < std::size(kSamples) && path != samplePath(sample)) ++sample;
+    return sample;
+}
+
 }  // namespace
 
 RecentFiles::RecentFiles() {
@@ -101,10 +108,13 @@ std::string samplePath(std::size_t sample) {
     return (samplesFolder() / kSampleFiles[sample]).string();
 }
 
+bool isSample(const std::string& path) {
+    return sampleOf(path) < std::size(kSamples);
+}
+
 void provideSample(const std::string& path) {
     const fs::path folder = samplesFolder();
-    std::size_t sample = 0;
-    while (sample < std::size(kSamples) && path != samplePath(sample)) ++sample;
+    const std::size_t sample = sampleOf(path);
     if (sample == std::size(kSamples)) return;
     std::error_code error;
     fs::create_directories(folder, error);

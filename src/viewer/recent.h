@@ -37,6 +37,7 @@ inline constexpr Sample kSamples[] = {
 
 /// Where the sample's scene lies, in the cache folder.
 std::string samplePath(std::size_t sample);
+bool isSample(const std::string& path);
 /// Writes the scene of that name and its map, if it is a sample's and they are not there yet. Throws Error.
 void provideSample(const std::string& path);
 

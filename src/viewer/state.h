@@ -4,6 +4,7 @@
 #include "viewer/show.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace dsphere::viewer {
@@ -15,6 +16,7 @@ struct State {
     ViewSettings view;
     ToneSettings tone;
     Edits edits;
+    std::vector<std::string> recorded;  ///< keys that were added to the path file: its lines
 
     bool operator==(const State&) const = default;
 };

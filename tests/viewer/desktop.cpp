@@ -112,6 +112,7 @@ Viewing::Viewing(const Desktop& desktop, const std::filesystem::path& folder, st
           [&] {
               std::vector<std::string> words = {DSPHERE_PROGRAM, "view", "--validation", "--journal", "journal"};
               words.insert(words.end(), arguments.begin(), arguments.end());
+              std::filesystem::remove(folder / "journal");  // another window's
               return words;
           }(),
           {"DISPLAY=" + desktop.display(), "XDG_CACHE_HOME=" + (folder / "cache").string(),

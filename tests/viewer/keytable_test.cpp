@@ -26,6 +26,8 @@ TEST(KeyTable, KeysAskForThem) {
     EXPECT_EQ(asked('S'), Command::None) << "it flies";
     EXPECT_EQ(asked('V'), Command::NextValue);
     EXPECT_EQ(asked('V', false, true), Command::PreviousValue);
+    EXPECT_EQ(asked('K'), Command::AddKey);
+    EXPECT_EQ(asked('K', false, true), Command::PlayPath);
     EXPECT_EQ(asked('1'), Command::Front);
     EXPECT_EQ(asked('1', true), Command::Back);
     EXPECT_EQ(asked('9', true), Command::None);

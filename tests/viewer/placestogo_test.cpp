@@ -81,6 +81,9 @@ TEST_F(WindowTest, StartsWithoutAFile) {
         click(viewing, "Ripples");
         viewing.waitFor("the sample", is("file", "ripples.pbrt"));
         viewing.waitForStill();
+        hand("key k");
+        viewing.waitFor("a sample's path in the working folder", says("is in " + path("ripples-path.csv").string()));
+        EXPECT_TRUE(std::filesystem::exists(path("ripples-path.csv")));
         hand("key ctrl+o");
         viewing.waitFor("the path box", is("path_box", true));
         hand("sleep 0.3 type frac");
