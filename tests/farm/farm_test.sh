@@ -53,12 +53,14 @@ grep --quiet "of 10 tasks are not done" film/*.log || fail "no task was submitte
 "$farm" planet.pbrt -o film/f-%02d.png --frames 0-9 -- --turntable 10 | grep --quiet "nothing to do" ||
     fail "a second call does something"
 
-echo "-- tiles and ranges of samples, one of them stopped, merged"
+echo "-- tiles and ranges of samples, a task and a render of them stopped, merged"
 "$DSPHERE" render planet.pbrt --quiet -o whole.exr --reproducible --spp 2000
 "$farm" planet.pbrt -o picture.exr --tiles 2 --spp 2000 --samples 2 -- --reproducible
-stop_one "$DSPHERE render planet.pbrt"
+stop_one "$DSPHERE render planet.pbrt" task
+stop_one "$DSPHERE render planet.pbrt" render
 await_jobs || fail "the picture's jobs do not end"
 grep --quiet interrupted picture.parts/*.log || fail "no task was stopped"
+grep --quiet "exit code 143; trying again" picture.parts/*.log || fail "a render that was stopped was not tried again"
 finished picture.parts COMPLETED || fail "the merge failed"
 cmp whole.exr picture.exr || fail "the merged picture is another one"
 
@@ -75,7 +77,31 @@ failures=$(cat broken.parts/*.log | grep --count "dsphere: error: planet.pbrt:10
 echo "-- by processes of this host, without Slurm"
 if command -v parallel >/dev/null; then
     sed -i '$d' planet.pbrt
-    "$farm" planet.pbrt -o here.exr --tiles 2 --spp 2000 --local 2 -- --reproducible
-    cmp whole.exr here.exr || fail "the picture of GNU parallel is another one"
+    "$farm" planet.pbrt -o 'here/f %d.png' --frames 1-2 --local 2 -- --turntable 10
+    for frame in 1 2; do cmp whole/f-0$frame.png "here/f $frame.png" || fail "a frame of GNU parallel is another one"; done
+    # An ssh of the test's own: a shell without this one's environment, in another folder; one host does not answer.
+    mkdir bin
+    cat >bin/ssh <<'SSH'
+#!/bin/bash
+while [[ $1 == -* ]]; do shift; done
+[[ $1 == node ]] || exit 255
+shift
+[[ $1 != -- ]] || shift
+echo node >>"$(dirname "$0")/calls"
+cd / && exec env -i HOME="$HOME" PATH=/usr/bin:/bin USER=root SHELL=/bin/bash /bin/bash -c "$*"
+SSH
+    chmod +x bin/ssh
+    printf '%s\n' : gone node >hosts
+    PATH=$folder/bin:$PATH "$farm" planet.pbrt -o hosts.exr --tiles 3 --hosts hosts -- --reproducible ||
+        fail "a host that does not answer ends all"
+    "$DSPHERE" render planet.pbrt --quiet -o small.exr --reproducible
+    cmp small.exr hosts.exr || fail "the picture of several hosts is another one"
+    grep --quiet node bin/calls || fail "no other host was asked"
+    echo 'Shape "cube"' >>planet.pbrt
+    code=0
+    "$farm" planet.pbrt -o broken-here.exr --tiles 20 --local 2 2>broken.log || code=$?
+    ((code != 0)) && [[ ! -e broken-here.exr ]] || fail "a broken scene is no error"
+    failures=$(grep --count "dsphere: error: planet.pbrt:10:7: unknown shape" broken.log || true)
+    ((failures >= 1 && failures <= 2)) || fail "the broken scene was rendered $failures times"
 fi
 echo "all is well"
