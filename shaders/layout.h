@@ -326,18 +326,18 @@ struct QueryParams {
 // A ray of query.comp in the object space of one object, units of R: its point nearest the centre and its unit
 // direction, each a row and its _lo row. It begins and ends at these distances from that point; both are finite.
 struct QueryRay {
-    vec4 point;      // .w: begin
-    vec4 point_lo;   // .w: end
-    vec4 direction;  // .w: 1 for a secondary ray, else 0
-    vec4 direction_lo;
+    vec4 point;         // .w: begin
+    vec4 point_lo;      // .w: end
+    vec4 direction;     // .w: 1 for a secondary ray, else 0
+    vec4 direction_lo;  // .w: of object 0: the ray's number counted from QueryParams::first
 };
 
 // Its answer. flags: bit 0: hit, 1: inside, 2: the step limit ended the march; the rest: 1 + the object's index.
 struct QueryHit {
     float px, py, pz;  // that object's space, units of R
     uint flags;
-    float nx, ny, nz;  // world, unit
-    uint lit;
+    float nx, ny, nz;  // world, unit, if PLANE_NX is asked for
+    uint lit;          // if PLANE_LIT is
 };
 
 struct QueryLook {

@@ -11,8 +11,9 @@ layout(push_constant) uniform Params { QueryParams pushed; };
 QueryParams params;
 
 const bool kWantsColour = (kPlanes & 7u << PLANE_R) != 0u;
+const bool kWantsNormal = (kPlanes & 1u << PLANE_NX) != 0u;
 const bool kWantsPlace = (kPlanes & 1u << PLANE_U) != 0u;
-const bool kWantsLight = kWantsColour || (kPlanes & 1u << PLANE_LIT) != 0u;
+const bool kWantsLight = (kPlanes & (7u << PLANE_R | 1u << PLANE_LIT)) != 0u;
 
 #include "uniforms.glsl"
 #include "sample.glsl"
@@ -24,18 +25,20 @@ layout(local_size_x = GROUP_SIZE_X * GROUP_SIZE_Y) in;
 layout(std430, binding = BINDING_ANSWERS) writeonly buffer Answers { QueryHit answers[]; };
 layout(std430, binding = BINDING_LOOKS) writeonly buffer Looks { QueryLook looks[]; };
 
+// Lavapipe writes lane by lane, so only what is asked for.
 void put(const uint index, const SurfacePoint point, const uint lit) {
-    QueryHit answer;
-    answer.px = point.object_position.x;
-    answer.py = point.object_position.y;
-    answer.pz = point.object_position.z;
-    answer.flags = point.hit ? 1u | uint(point.object + 1) << 3 : 0u;
-    answer.flags |= (point.inside ? 2u : 0u) | (point.exhausted ? 4u : 0u);
-    answer.nx = point.normal.x;
-    answer.ny = point.normal.y;
-    answer.nz = point.normal.z;
-    answer.lit = lit;
-    answers[index] = answer;
+    uint flags = point.hit ? 1u | uint(point.object + 1) << 3 : 0u;
+    flags |= (point.inside ? 2u : 0u) | (point.exhausted ? 4u : 0u);
+    answers[index].px = point.object_position.x;
+    answers[index].py = point.object_position.y;
+    answers[index].pz = point.object_position.z;
+    answers[index].flags = flags;
+    if (kWantsNormal) {
+        answers[index].nx = point.normal.x;
+        answers[index].ny = point.normal.y;
+        answers[index].nz = point.normal.z;
+    }
+    if (kWantsLight) answers[index].lit = lit;
 }
 
 void putLook(const uint index, const SurfacePoint point, const vec3 colour) {
@@ -79,8 +82,9 @@ void main() {
     Place place = findPlace();
     if (!place.exists) return;
     uint index = place.index;
-    uint key = pixelKey(int(params.first + index), 0, params.seed);
-    Gathered result = gatherListed(listedSegment(index, place.clear), key);
+    Segment segment = listedSegment(index, place.clear);
+    uint number = uint(listedRay(segment, 0).direction_lo.w);  // in the caller's order
+    Gathered result = gatherListed(segment, pixelKey(int(params.first + number), 0, params.seed));
     if (missesTile()) {
         leaveForTile(index);
         return;

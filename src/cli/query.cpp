@@ -35,10 +35,12 @@ query::Record chooseFields(const QueryCommand& options) {
     return record;
 }
 
-RayWishes wishesOf(const query::Record& record, const Scene& scene) {
+RayWishes wishesOf(const query::Record& record, bool certify, const Scene& scene) {
     const bool others = std::ranges::any_of(
         scene.shapes, [](const Shape& shape) { return !std::holds_alternative<DisplacedSphere>(shape.geometry); });
-    return {.lit = record.has("lit"), .place = others && (record.has("u") || record.has("v"))};
+    return {.normal = record.has("N") || certify,
+            .lit = record.has("lit"),
+            .place = others && (record.has("u") || record.has("v"))};
 }
 
 /// What the host has to find for these fields; --certify judges position and normal too.
@@ -103,9 +105,10 @@ int runQuery(const QueryCommand& options) {
     const PackedScene packed = packScene(scene, maps);
     gpu::Device device = openDevice(options.common);
     const DeviceScene device_scene(device, packed);
-    query::Engine engine(
-        device, scene, maps, packed, device_scene,
-        {.frame = options.frame, .wishes = wishesOf(record, scene), .parts = partsOf(record, options.certify)});
+    query::Engine engine(device, scene, maps, packed, device_scene,
+                         {.frame = options.frame,
+                          .wishes = wishesOf(record, options.certify, scene),
+                          .parts = partsOf(record, options.certify)});
     std::optional<query::Certifier> certifier;
     if (options.certify) certifier.emplace(scene, maps, options.frame, record.has("tangent"));
     query::HitWriter writer(options.outfile, format, record, reader->count());

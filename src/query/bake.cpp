@@ -91,9 +91,11 @@ Baker::Baker(gpu::Device& device, const Scene& scene, const SceneMaps& maps, con
       grid_(grid),
       progress_(progress),
       engine_(device, scene, maps, packed, device_scene,
-              {.frame = Frame::Body, .parts = AnswerParts::none(), .secondary = true, .between_blocks = [this] {
-                   alive();
-               }}) {
+              {.frame = Frame::Body,
+               .wishes = {.normal = false},
+               .parts = AnswerParts::none(),
+               .secondary = true,
+               .between_blocks = [this] { alive(); }}) {
     body_ = &engine_.shapes()[bodyOf(scene)];
     if (!body_->heights) throwInvalid("{}: bake needs a displacedsphere, and the scene has none", scene.name);
     for (int i = 0; i < grid.width; ++i) {
@@ -300,11 +302,11 @@ std::array<std::vector<float>, 3> Baker::colour(int samples) {
     constexpr std::array<dvec2, 4> kSides{dvec2(-kSide, -kSide), {kSide, -kSide}, {-kSide, kSide}, {kSide, kSide}};
     const bool drawn = std::ranges::any_of(scene_.lights, [](const Light& light) { return !verify::isLamp(light); });
     const std::size_t n = drawn ? kSides.size() * std::size_t((samples + 3) / 4) : kSides.size();
-    Engine looking(
-        device_, scene_, maps_, packed_, device_scene_,
-        {.frame = Frame::Body, .wishes = {.colour = true}, .parts = AnswerParts::none(), .between_blocks = [this] {
-             alive();
-         }});
+    Engine looking(device_, scene_, maps_, packed_, device_scene_,
+                   {.frame = Frame::Body,
+                    .wishes = {.normal = false, .colour = true},
+                    .parts = AnswerParts::none(),
+                    .between_blocks = [this] { alive(); }});
     const std::size_t width = std::size_t(grid_.width);
     std::array<std::vector<float>, 3> planes;
     for (std::vector<float>& plane : planes) plane.resize(grid_.count());

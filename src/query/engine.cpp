@@ -1,7 +1,7 @@
 #include "query/engine.h"
 
 #include "base/parallel.h"
-#include "query/refine.h"
+#include "query/roots.h"
 
 #include <algorithm>
 #include <array>
@@ -14,39 +14,7 @@ namespace dsphere::query {
 
 namespace {
 
-constexpr std::uint32_t kBlockRays = 1u << 17;  // times 64 bytes per shape
-constexpr std::size_t kChunk = 2048;            // rays that a task packs or finishes
-constexpr std::size_t kBatch = 64;              // answers that are handed on together, while a cache holds them
-
-// A shorter direction is taken for 0: what t counts in it would overflow.
-constexpr double kLeastDirection = 1e-280;
-
-bool allFinite(const std::array<double, 3>& v) {
-    return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
-}
-
-// A ray that meets nothing.
-layout::QueryRay nothing() {
-    return packRay(dvec3(0.0, 1e15, 0.0), dvec3(1.0, 0.0, 0.0), 0.0, -1.0, false);
-}
-
-layout::QueryRay packed(const ShapeFrame& shape, const QueryRay& ray, bool secondary) {
-    const DeviceRay on_device = deviceRay(shape, ray);
-    const double begin = on_device.origin + on_device.length * ray.t_min;
-    const double end = on_device.origin + on_device.length * ray.t_max;
-    const bool near = glm::dot(on_device.point, on_device.point) < 1e24;  // in R; else it overflowed or passes far off
-    if (!near || !(begin < end)) return nothing();
-    return packRay(on_device.point, on_device.direction, begin, end, secondary);
-}
-
-/// Calls body(first, count) for chunks of so many rays at most, on all cores.
-template <typename Body>
-void inChunks(std::size_t count, Body body) {
-    parallelFor((count + kChunk - 1) / kChunk, [&](std::size_t chunk) {
-        const std::size_t first = chunk * kChunk;
-        body(first, std::min(kChunk, count - first));
-    });
-}
+constexpr std::uint32_t kBlockRays = 1u << 16;  // times 64 bytes per shape
 
 std::array<double, 3> arrayOf(const dvec3& v) {
     return {v.x, v.y, v.z};
@@ -68,14 +36,6 @@ void RayRows::copyTo(std::size_t begin, std::span<QueryRay> rays) const {
     for (std::size_t k = 0; k < rays.size(); ++k) rays[k] = at(begin + k);
 }
 
-bool isValid(const QueryRay& ray) {
-    const auto &o = ray.origin, &d = ray.direction;
-    const double size = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
-    const double nothing = 0.0 * (o[0] + o[1] + o[2] + d[0] + d[1] + d[2] + ray.t_min);  // NaN unless all are finite
-    const bool finite = nothing == 0.0 || (allFinite(o) && allFinite(d) && std::isfinite(ray.t_min));
-    return finite && size > kLeastDirection && !std::isnan(ray.t_max);
-}
-
 Engine::Engine(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const PackedScene& packed_scene,
                const DeviceScene& device_scene, const Options& options)
     : options_(options),
@@ -87,36 +47,51 @@ Engine::Engine(gpu::Device& device, const Scene& scene, const SceneMaps& maps, c
       pipelines_(device, packed_scene.traits, options.wishes),
       capacity_(std::max(64u, kBlockRays / std::uint32_t(scene.shapes.size()))) {
     for (int i = 0; i < 2; ++i)
-        blocks_.push_back({std::vector<QueryRay>(capacity_),
-                           std::make_unique<RayBlock>(device, pipelines_, device_scene, options.wishes,
-                                                      std::uint32_t(scene.shapes.size()), capacity_)});
+        blocks_.push_back(
+            {SentRays(capacity_), std::make_unique<RayBlock>(device, pipelines_, device_scene, options.wishes,
+                                                             std::uint32_t(scene.shapes.size()), capacity_)});
 }
 
-void Engine::pack(Block& block, std::size_t first, std::size_t count, const Source& source) const {
-    const std::span<layout::QueryRay> on_device = block.on_device->rays();
-    const std::size_t shapes = shapes_.size();
-    inChunks(count, [&](std::size_t begin, std::size_t size) {
-        const std::span<QueryRay> rays(block.rays.data() + begin, size);
-        source(first + begin, rays);
-        for (std::size_t i = 0; i < size; ++i) {
-            const bool valid = isValid(rays[i]);
-            if (!valid) rays[i].t_max = QueryHit::kNone;  // which is all that finish() asks for
-            for (std::size_t k = 0; k < shapes; ++k)
-                on_device[(begin + i) * shapes + k] =
-                    valid ? packed(shapes_[k], rays[i], options_.secondary) : nothing();
-        }
-    });
+void Engine::pack(Block& block, std::size_t first, std::size_t count, const RaySource& source) const {
+    block.sent.take(shapes_, first, count, source);
+    block.count = block.sent.pack(shapes_, options_.secondary, block.on_device->rays());
 }
 
-void Engine::fillHit(Answer& answer, const QueryRay& ray, const layout::QueryHit& found) const {
+/// Answers that are handed on together, while a cache holds them.
+struct Engine::Batch {
+    static constexpr std::size_t kMost = 64;
+
+    std::size_t begin, count = 0;  ///< the number of the first, and of them
+    std::array<Answer, kMost> answers;
+    /// Those whose roots are to be found, of one shape.
+    std::array<std::uint8_t, kMost> which;
+    std::array<const layout::QueryHit*, kMost> found;
+    std::array<FoundHit, kMost> hits;
+    std::array<Place, kMost> places;
+    std::size_t hit_count = 0;
+};
+
+bool Engine::fill(Answer& answer, const layout::QueryHit& found, const layout::QueryLook* look) const {
+    QueryHit& hit = answer.hit;
+    const bool was_hit = found.flags & 1u, inside = found.flags & 2u, runaway = found.flags & 4u;
+    if (runaway) hit.status = QueryStatus::Invalid;
+    if (!was_hit || runaway) return false;
+    hit.status = inside ? QueryStatus::Inside : QueryStatus::Hit;
+    hit.id = found.flags >> 3;
+    if (!inside && options_.wishes.lit) hit.lit = found.lit;  // within the solid no light is seen
+    if (look) {
+        answer.colour = {look->red, look->green, look->blue};
+        hit.u = double(look->u);
+        hit.v = double(look->v);
+    }
+    return options_.parts.root;
+}
+
+void Engine::describe(Answer& answer, const QueryRay& ray, const layout::QueryHit& found, const Place& place) const {
     const AnswerParts& parts = options_.parts;
     QueryHit& hit = answer.hit;
     const bool inside = hit.status == QueryStatus::Inside;
     const ShapeFrame& shape = shapes_[hit.id - 1];
-    const dvec3 world_normal(found.nx, found.ny, found.nz);
-    const Place place = inside ? placeAt(shape, ray, ray.t_min)
-                               : refined(shape, ray, dvec3(found.px, found.py, found.pz),
-                                         shape.device_from_world_normal * world_normal);
     hit.t = inside ? ray.t_min : std::clamp(place.t, ray.t_min, ray.t_max);
     answer.device_position = place.position;
     if (parts.position) hit.position = arrayOf(transformPoint(shape.frame_from_device, place.position));
@@ -124,6 +99,7 @@ void Engine::fillHit(Answer& answer, const QueryRay& ray, const layout::QueryHit
         // A displaced sphere's normal belongs to the refined place. A start inside has the device's, being on no
         // surface.
         const bool on_surface = shape.heights && !inside;
+        const dvec3 world_normal(found.nx, found.ny, found.nz);
         const dvec3 normal = glm::normalize(on_surface ? shape.frame_from_device_normal * displacedNormal(shape, place)
                                                        : frame_from_world_normal_ * world_normal);
         hit.normal = {float(normal.x), float(normal.y), float(normal.z)};
@@ -131,57 +107,77 @@ void Engine::fillHit(Answer& answer, const QueryRay& ray, const layout::QueryHit
     if (parts.place && shape.heights) describePlace(hit, shape, place);
 }
 
-void Engine::fill(Answer& answer, const QueryRay& ray, const layout::QueryHit& found,
-                  const layout::QueryLook* look) const {
-    QueryHit& hit = answer.hit;
-    const bool was_hit = found.flags & 1u, inside = found.flags & 2u, runaway = found.flags & 4u;
-    if (runaway || std::isnan(ray.t_max)) hit.status = QueryStatus::Invalid;
-    if (!was_hit || hit.status == QueryStatus::Invalid) return;
-    hit.status = inside ? QueryStatus::Inside : QueryStatus::Hit;
-    hit.id = found.flags >> 3;
-    if (!inside) hit.lit = found.lit;  // within the solid no light is seen
-    if (look) {
-        answer.colour = {look->red, look->green, look->blue};
-        hit.u = double(look->u);
-        hit.v = double(look->v);
-    }
-    if (options_.parts.root) fillHit(answer, ray, found);
+/// Finds the roots of the batch's hits, which are of one shape.
+void Engine::solve(Batch& batch) const {
+    if (batch.hit_count == 0) return;
+    const ShapeFrame& shape = shapes_[batch.answers[batch.which[0]].hit.id - 1];
+    findRoots(batch.places, shape, {batch.hits.data(), batch.hit_count});
+    for (std::size_t k = 0; k < batch.hit_count; ++k)
+        describe(batch.answers[batch.which[k]], *batch.hits[k].ray, *batch.found[k], batch.places[k]);
+    batch.hit_count = 0;
 }
 
-void Engine::finish(const Block& block, std::size_t first, std::size_t count, const Sink& sink) {
+std::uint64_t Engine::finishChunk(const Block& block, std::size_t chunk, std::size_t first, const Sink& sink) const {
+    static const Answer kNothing;  // a copy from memory takes a fifth of the time that Answer() takes
     const auto hits = block.on_device->hits();
     const auto looks = block.on_device->looks();
-    std::atomic<std::uint64_t> runaways = 0;
-    inChunks(count, [&](std::size_t begin, std::size_t size) {
-        std::array<Answer, kBatch> answers;
-        for (const std::size_t end = begin + size; begin < end; begin += kBatch) {
-            const std::size_t some = std::min(kBatch, end - begin);
-            for (std::size_t i = 0; i < some; ++i) {
-                const std::size_t ray = begin + i;
-                if (answers[i].hit.status != QueryStatus::Miss) answers[i] = Answer();  // of the batch before
-                if (hits[ray].flags & 4u) ++runaways;
-                fill(answers[i], block.rays[ray], hits[ray], options_.wishes.looks() ? &looks[ray] : nullptr);
+    std::uint64_t runaways = 0;
+    Batch batch;
+    batch.begin = first + chunk * SentRays::kChunk;
+    const auto handOn = [&] {
+        solve(batch);
+        sink(batch.begin, {batch.answers.data(), batch.count});
+        batch.begin += batch.count;
+        batch.count = 0;
+    };
+    block.sent.forEach(chunk, [&](SentRays::Fate fate, const QueryRay& ray, std::uint32_t place) {
+        const std::size_t i = batch.count++;
+        Answer& answer = batch.answers[i];
+        if (answer.hit.status != QueryStatus::Miss) answer = kNothing;  // of the batch before
+        if (fate == SentRays::Fate::Invalid) answer.hit.status = QueryStatus::Invalid;
+        if (fate == SentRays::Fate::Sent) runaways += hits[place].flags >> 2 & 1u;
+        if (fate == SentRays::Fate::Sent &&
+            fill(answer, hits[place], options_.wishes.looks() ? &looks[place] : nullptr)) {
+            if (answer.hit.status == QueryStatus::Inside) {
+                Place start;
+                findPlaceAt(start, shapes_[answer.hit.id - 1], ray, ray.t_min);
+                describe(answer, ray, hits[place], start);
+            } else {
+                const bool another = batch.hit_count > 0 && batch.answers[batch.which[0]].hit.id != answer.hit.id;
+                if (another) solve(batch);
+                const std::size_t k = batch.hit_count++;
+                batch.which[k] = std::uint8_t(i);
+                batch.found[k] = &hits[place];
+                batch.hits[k] = {&ray, dvec3(hits[place].px, hits[place].py, hits[place].pz)};
             }
-            sink(first + begin, {block.rays.data() + begin, some}, {answers.data(), some});
         }
+        if (batch.count == Batch::kMost) handOn();
     });
+    if (batch.count > 0) handOn();
+    return runaways;
+}
+
+void Engine::finish(const Block& block, std::size_t first, const Sink& sink) {
+    std::atomic<std::uint64_t> runaways = 0;
+    parallelFor(block.sent.chunks(), [&](std::size_t chunk) { runaways += finishChunk(block, chunk, first, sink); });
     runaways_ += runaways;
 }
 
-void Engine::traceBatches(std::size_t count, const Source& source, const Sink& sink) {
+void Engine::traceBatches(std::size_t count, const RaySource& source, const Sink& sink) {
     const std::size_t blocks = (count + capacity_ - 1) / capacity_;
-    const auto sizeOf = [&](std::size_t b) { return std::min<std::size_t>(capacity_, count - b * capacity_); };
-    if (blocks > 0) pack(blocks_[0], 0, sizeOf(0), source);
+    const auto packBlock = [&](std::size_t b) {
+        pack(blocks_[b % 2], b * capacity_, std::min<std::size_t>(capacity_, count - b * capacity_), source);
+    };
+    if (blocks > 0) packBlock(0);
     for (std::size_t b = 0; b <= blocks; ++b) {
         if (options_.between_blocks) options_.between_blocks();
         std::future<void> tracing;
         if (b < blocks)
-            tracing = std::async(std::launch::async, [this, b, rays = std::uint32_t(sizeOf(b))] {
-                blocks_[b % 2].on_device->trace(rays, std::uint32_t(traced_ + b * capacity_), seed_);
+            tracing = std::async(std::launch::async, [this, b, &block = blocks_[b % 2]] {
+                block.on_device->trace(block.count, std::uint32_t(traced_ + b * capacity_), seed_);
             });
-        Block& other = blocks_[(b + 1) % 2];
-        if (b > 0) finish(other, (b - 1) * capacity_, sizeOf(b - 1), sink);
-        if (b + 1 < blocks) pack(other, (b + 1) * capacity_, sizeOf(b + 1), source);
+        if (b > 0) finish(blocks_[(b - 1) % 2], (b - 1) * capacity_, sink);
+        if (b + 1 < blocks) packBlock(b + 1);
         if (tracing.valid()) tracing.get();
     }
     traced_ += count;

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "query/frames.h"
-#include "render/rayblock.h"
+#include "query/sentrays.h"
 
 #include <cstdint>
 #include <functional>
@@ -10,6 +9,8 @@
 #include <vector>
 
 namespace dsphere::query {
+
+struct Place;
 
 /// Rays as rows of 6 doubles (origin, direction) or 8 (t_min and t_max too).
 struct RayRows {
@@ -47,26 +48,23 @@ class Engine {
         bool secondary = false;  ///< by the rules of shadow rays: they leave a surface, and a start inside is no hit
         std::function<void()> between_blocks = {};  ///< called every few hundredths of a second; may throw
     };
-    /// Fills rays first, first + 1 and so on; called from many threads.
-    using Source = std::function<void(std::size_t first, std::span<QueryRay> rays)>;
-    /// Takes the answers of these rays, once for each; called from many threads.
-    using Sink =
-        std::function<void(std::size_t first, std::span<const QueryRay> rays, std::span<const Answer> answers)>;
+    /// Takes the answers of rays first, first + 1 and so on, once for each; called from many threads.
+    using Sink = std::function<void(std::size_t first, std::span<const Answer> answers)>;
 
     Engine(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const PackedScene& packed,
            const DeviceScene& device_scene, const Options& options);
 
     /// Rays 0 to count - 1 of the source.
-    void traceBatches(std::size_t count, const Source& source, const Sink& sink);
+    void traceBatches(std::size_t count, const RaySource& source, const Sink& sink);
     /// Same as traceBatches, ray by ray: source(i) gives ray i, sink(i, answer) takes its answer.
-    template <typename RaySource, typename AnswerSink>
-    void trace(std::size_t count, const RaySource& source, const AnswerSink& sink) {
+    template <typename Source, typename AnswerSink>
+    void trace(std::size_t count, const Source& source, const AnswerSink& sink) {
         traceBatches(
             count,
             [&](std::size_t first, std::span<QueryRay> rays) {
                 for (std::size_t k = 0; k < rays.size(); ++k) rays[k] = source(first + k);
             },
-            [&](std::size_t first, std::span<const QueryRay>, std::span<const Answer> answers) {
+            [&](std::size_t first, std::span<const Answer> answers) {
                 for (std::size_t k = 0; k < answers.size(); ++k) sink(first + k, answers[k]);
             });
     }
@@ -78,14 +76,20 @@ class Engine {
   private:
     /// Some rays, on the host and on the device.
     struct Block {
-        std::vector<QueryRay> rays;
+        SentRays sent;
         std::unique_ptr<RayBlock> on_device;
+        std::uint32_t count = 0;  ///< on the device
     };
 
-    void pack(Block& block, std::size_t first, std::size_t count, const Source& source) const;
-    void finish(const Block& block, std::size_t first, std::size_t count, const Sink& sink);
-    void fill(Answer& answer, const QueryRay& ray, const layout::QueryHit& found, const layout::QueryLook* look) const;
-    void fillHit(Answer& answer, const QueryRay& ray, const layout::QueryHit& found) const;
+    void pack(Block& block, std::size_t first, std::size_t count, const RaySource& source) const;
+    void finish(const Block& block, std::size_t first, const Sink& sink);
+    /// Returns how many runaways it met.
+    std::uint64_t finishChunk(const Block& block, std::size_t chunk, std::size_t first, const Sink& sink) const;
+    struct Batch;
+    /// Whether the root has to be found too.
+    bool fill(Answer& answer, const layout::QueryHit& found, const layout::QueryLook* look) const;
+    void solve(Batch& batch) const;
+    void describe(Answer& answer, const QueryRay& ray, const layout::QueryHit& found, const Place& place) const;
 
     Options options_;
     std::vector<ShapeFrame> shapes_;
@@ -96,8 +100,5 @@ class Engine {
     std::vector<Block> blocks_;  ///< two: one is packed and read while the device has the other
     std::uint64_t traced_ = 0, runaways_ = 0;
 };
-
-/// Whether a ray can be traced at all; others have the status Invalid.
-bool isValid(const QueryRay& ray);
 
 }  // namespace dsphere::query

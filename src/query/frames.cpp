@@ -37,6 +37,8 @@ std::vector<ShapeFrame> shapeFrames(const Scene& scene, const SceneMaps& maps, c
         result.device_from_world_normal = glm::transpose(dmat3(world_from_object));
         result.frame_from_device_normal = glm::transpose(dmat3(object_from_frame));
         result.geometry = &shape.geometry;
+        result.in_unit_sphere =
+            std::holds_alternative<DisplacedSphere>(shape.geometry) || std::holds_alternative<Sphere>(shape.geometry);
         result.relief = maps.reliefs[k];
         result.base = result.relief.base / result.unit;
         result.scale = result.relief.scale / result.unit;

@@ -63,7 +63,7 @@ std::vector<QueryStatus> Query::statuses(std::span<const QueryRay> rays) {
     Parts& parts = *parts_;
     if (!parts.any)
         parts.any.emplace(parts.device, parts.scene, parts.maps, parts.packed, parts.device_scene,
-                          query::Engine::Options{.frame = parts.options.frame, .parts = query::AnswerParts::none()});
+                          query::Engine::Options{.frame = parts.options.frame, .wishes = {.normal = false}, .parts = query::AnswerParts::none()});
     return Parts::trace<QueryStatus>(*parts.any, rays,
                                      [](std::size_t, const query::Answer& answer) { return answer.hit.status; });
 }

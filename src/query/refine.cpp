@@ -8,13 +8,6 @@ namespace dsphere::query {
 
 namespace {
 
-// The contract's bound of the error along a ray, with what the rounding of the position adds.
-constexpr double kFarthestMove = 1.5e-6;
-constexpr double kGoodEnough = 1e-12;  // R
-// A place that has moved by less, in distances from the axis, has the angles that a tangent to the sphere gives: right
-// to the square of that.
-constexpr double kShortMove = 3e-7;
-
 /// A line in a shape's space on the device. Directions whose squares would overflow or vanish are scaled.
 struct Line {
     dvec3 origin, direction;
@@ -32,75 +25,76 @@ struct Line {
     }
 };
 
-/// The ground below a point of a line, and how all changes along it, in units of R.
-struct Ground {
-    HeightSample sample;
-    double longitude, colatitude;
+/// How all changes along a line at a place of it, per t, in units of R.
+struct Change {
     double axis_distance;
     double excess;                                 ///< |p| - r
-    double longitude_rate, colatitude_rate, rate;  ///< of longitude, colatitude and excess, per t
+    double longitude_rate, colatitude_rate, rate;  ///< of longitude, colatitude and excess
+    double steepness2;                             ///< squared: how excess grows straight away from the surface, per R
 };
 
-Ground groundBelow(const ShapeFrame& shape, const dvec3& p, const dvec3& direction) {
-    Ground ground;
+// Fills what it is given, for several million rays a second: a struct that is copied right after its numbers were
+// written has to wait for them.
+void lookBelow(Place& place, Change& change, const ShapeFrame& shape, const dvec3& p, double t,
+               const dvec3& direction) {
     const double rho2 = p.x * p.x + p.z * p.z, rho = std::sqrt(rho2), r2 = rho2 + p.y * p.y, r = std::sqrt(r2);
-    ground.longitude = std::atan2(p.x, p.z);
-    ground.colatitude = std::atan2(rho, p.y);
-    ground.sample = shape.heights->at(ground.longitude, ground.colatitude);
-    ground.axis_distance = rho;
-    ground.excess = r - (shape.base + shape.scale * ground.sample.stored);
+    place.t = t;
+    place.position = p;
+    place.longitude = std::atan2(p.x, p.z);
+    place.colatitude = std::atan2(rho, p.y);
+    const HeightSample ground = shape.heights->at(place.longitude, place.colatitude);
+    place.height = ground;
+    change.axis_distance = rho;
+    change.excess = r - (shape.base + shape.scale * ground.stored);
     const double inverse_rho = 1.0 / std::max(rho, 1e-100), inverse_r2 = 1.0 / r2;
     const double outward = (p.x * direction.x + p.z * direction.z) * inverse_rho;
-    ground.longitude_rate = (p.z * direction.x - p.x * direction.z) * inverse_rho * inverse_rho;
-    ground.colatitude_rate = (p.y * outward - rho * direction.y) * inverse_r2;
-    ground.rate =
-        glm::dot(p, direction) * r * inverse_r2 - shape.scale * (ground.sample.per_longitude * ground.longitude_rate +
-                                                                 ground.sample.per_colatitude * ground.colatitude_rate);
-    return ground;
+    change.longitude_rate = (p.z * direction.x - p.x * direction.z) * inverse_rho * inverse_rho;
+    change.colatitude_rate = (p.y * outward - rho * direction.y) * inverse_r2;
+    change.rate =
+        glm::dot(p, direction) * r * inverse_r2 -
+        shape.scale * (ground.per_longitude * change.longitude_rate + ground.per_colatitude * change.colatitude_rate);
+    const double east = shape.scale * ground.per_longitude * inverse_rho, south = shape.scale * ground.per_colatitude;
+    change.steepness2 = 1.0 + east * east + south * south * inverse_r2;
 }
 
-Place placeOf(const Ground& ground, const dvec3& position, double t) {
-    return {t, position, ground.longitude, ground.colatitude, ground.sample};
-}
-
-/// The end of a short step from there, on the same patch: nothing has to be looked up. False where more has to be done.
-bool stepOnPatch(Place& place, const ShapeFrame& shape, const Line& line, const Ground& ground, double step) {
-    const double near = kShortMove * ground.axis_distance;
+/// Goes a short step along the line, on the same patch: nothing has to be looked up. False where more has to be done.
+bool stepOnPatch(Place& place, const ShapeFrame& shape, const Line& line, const Change& change, double step) {
+    const double near = kShortMove * change.axis_distance;
     if (!(step * step * line.square < near * near)) return false;
-    const double east = ground.longitude_rate * step, south = ground.colatitude_rate * step;
-    const double twist = ground.sample.mixed * east * south;
+    const double east = change.longitude_rate * step, south = change.colatitude_rate * step;
+    const double twist = place.height.mixed * east * south;
     if (!(std::abs(twist * shape.scale) < kGoodEnough)) return false;
-    if (!shape.heights->onOnePatch(ground.longitude, ground.colatitude, ground.longitude + east,
-                                   ground.colatitude + south))
+    if (!shape.heights->onOnePatch(place.longitude, place.colatitude, place.longitude + east, place.colatitude + south))
         return false;
     place.t += step;
     place.position += step * line.direction;
     place.longitude += east;
     place.colatitude += south;
-    place.height.stored += ground.sample.per_longitude * east + ground.sample.per_colatitude * south + twist;
+    place.height.stored += place.height.per_longitude * east + place.height.per_colatitude * south + twist;
     return true;
 }
 
 // Newton. A step that stays on a bilinear patch is the last one: along it the ground is a line but for its twist.
-Place displacedRoot(const ShapeFrame& shape, const Line& line, const dvec3& found, const dvec3& normal) {
-    const double across = glm::dot(normal, line.direction);  // what of a move along the line leaves the surface
-    const double farthest2 = kFarthestMove * kFarthestMove * glm::dot(normal, normal);
+void findDisplacedRoot(Place& place, const ShapeFrame& shape, const Line& line, const dvec3& found) {
     const double begin = glm::dot(found - line.origin, line.direction) / line.square;
     const dvec3 base = line.origin + begin * line.direction;  // what moves are added to: the origin may be far away
-    Place best;
-    double least = std::numeric_limits<double>::infinity(), move = 0.0;
+    Change change;
+    lookBelow(place, change, shape, base, begin, line.direction);
+    const double across2 = change.rate * change.rate / change.steepness2;  // squared: what of a move leaves the surface
+    double move = 0.0;
     for (int turn = 0; turn < 4; ++turn) {
-        const dvec3 p = base + move * line.direction;
-        const Ground ground = groundBelow(shape, p, line.direction);
-        if (!(std::abs(ground.excess) < least)) break;
-        best = placeOf(ground, p, begin + move);
-        least = std::abs(ground.excess);
-        const double step = -ground.excess / ground.rate, away = (move + step) * across;
-        if (least <= kGoodEnough || !(away * away <= farthest2)) break;
-        if (stepOnPatch(best, shape, line, ground, step)) break;
-        move += step;
+        const double step = -change.excess / change.rate, moved = move + step;
+        if (std::abs(change.excess) <= kGoodEnough || !(moved * moved * across2 <= kFarthestMove * kFarthestMove))
+            return;
+        if (stepOnPatch(place, shape, line, change, step)) return;
+        move = moved;
+        Place next;
+        Change next_change;
+        lookBelow(next, next_change, shape, base + move * line.direction, begin + move, line.direction);
+        if (!(std::abs(next_change.excess) < std::abs(change.excess))) return;
+        place = next;
+        change = next_change;
     }
-    return best;
 }
 
 double plainRoot(const ShapeFrame& shape, const DeviceRay& ray, double s) {
@@ -115,29 +109,26 @@ double plainRoot(const ShapeFrame& shape, const DeviceRay& ray, double s) {
 
 }  // namespace
 
-Place placeAt(const ShapeFrame& shape, const QueryRay& ray, double t) {
+void findPlaceAt(Place& place, const ShapeFrame& shape, const QueryRay& ray, double t) {
     const ShapeLine line(shape, ray);
     const dvec3 p = line.origin + t * line.direction;
-    if (shape.heights) return placeOf(groundBelow(shape, p, line.direction), p, t);
-    Place place;
     place.t = t;
     place.position = p;
-    return place;
+    Change ignored;
+    if (shape.heights) lookBelow(place, ignored, shape, p, t, line.direction);
 }
 
-Place refined(const ShapeFrame& shape, const QueryRay& ray, const dvec3& position, const dvec3& normal) {
+void findRoot(Place& place, const ShapeFrame& shape, const QueryRay& ray, const dvec3& position) {
     if (shape.heights) {
         const Line line(shape, ray);
-        Place place = displacedRoot(shape, line, position, normal);
+        findDisplacedRoot(place, shape, line, position);
         if (line.scale != 1.0) place.t /= line.scale;
-        return place;
+        return;
     }
     const DeviceRay from_nearest = deviceRay(shape, ray);
-    Place place;
     const double s = plainRoot(shape, from_nearest, glm::dot(position, from_nearest.direction));
     place.t = (s - from_nearest.origin) / from_nearest.length;
     place.position = from_nearest.point + s * from_nearest.direction;
-    return place;
 }
 
 // e_r - k dh/dlon / (r sin colat) e_east - k dh/dcolat / r e_south. Towards a pole dh/dlon vanishes with the sine.

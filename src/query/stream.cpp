@@ -10,7 +10,7 @@ namespace dsphere::query {
 
 namespace {
 
-constexpr std::size_t kBlockRays = 1u << 19;
+constexpr std::size_t kBlockRays = 1u << 18;
 constexpr std::size_t kCertifiedRays = 1u << 14;  // the reference takes long over each: progress, and Ctrl-C
 
 // Counts of answers; they come from many threads.
@@ -58,11 +58,11 @@ StreamCounts streamRays(RayReader& reader, Engine& engine, const Record& record,
         BlockCounts block;
         engine.traceBatches(
             rays.count, [&](std::size_t first, std::span<QueryRay> some) { rays.copyTo(first, some); },
-            [&](std::size_t first, std::span<const QueryRay> some, std::span<const Answer> answers) {
+            [&](std::size_t first, std::span<const Answer> answers) {
                 block.add(answers);
                 std::vector<Truth> truths;
-                for (std::size_t k = 0; certifier && k < some.size(); ++k)
-                    truths.push_back(certifier->check(counts.rays + first + k, some[k], answers[k]));
+                for (std::size_t k = 0; certifier && k < answers.size(); ++k)
+                    truths.push_back(certifier->check(counts.rays + first + k, rays.at(first + k), answers[k]));
                 record.put(records[side].data() + first * record.bytes(), answers, truths);
             });
         block.addTo(counts);

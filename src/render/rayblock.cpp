@@ -17,8 +17,8 @@ const Shaders kFull = {kVariants_query_full, kVariants_query_planet_full};
 constexpr std::uint32_t kGroup = GROUP_SIZE_X * GROUP_SIZE_Y;
 
 std::uint32_t planesOf(const RayWishes& wishes) {
-    return (wishes.lit ? 1u << PLANE_LIT : 0u) | (wishes.colour ? 7u << PLANE_R : 0u) |
-           (wishes.place ? 1u << PLANE_U : 0u);
+    return (wishes.normal ? 1u << PLANE_NX : 0u) | (wishes.lit ? 1u << PLANE_LIT : 0u) |
+           (wishes.colour ? 7u << PLANE_R : 0u) | (wishes.place ? 1u << PLANE_U : 0u);
 }
 
 // In the host's memory: rays and answers are written and read once each.

@@ -14,8 +14,9 @@
 
 namespace dsphere {
 
-/// What is asked about a hit besides where it is and its normal.
+/// What is asked about a hit besides where it is.
 struct RayWishes {
+    bool normal = true;
     bool lit = false, colour = false, place = false;  ///< place: the shape's own (u, v)
 
     bool looks() const { return colour || place; }
@@ -40,8 +41,10 @@ class RayPipelines {
 };
 
 /// Packs a ray of an object's space in units of R, in double. The direction is unit, `point` the ray's point nearest
-/// the centre; the ray begins and ends at these distances from there, which may be infinite.
-inline layout::QueryRay packRay(const dvec3& point, const dvec3& direction, double begin, double end, bool secondary) {
+/// the centre; the ray begins and ends at these distances from there, which may be infinite. `number`: see
+/// layout::QueryRay.
+inline layout::QueryRay packRay(const dvec3& point, const dvec3& direction, double begin, double end, bool secondary,
+                                std::uint32_t number) {
     // In R. Squares of greater lengths would overflow in floats, and nothing that a float says of the surface lies
     // farther off.
     constexpr double kFarthest = 1e15;
@@ -49,7 +52,7 @@ inline layout::QueryRay packRay(const dvec3& point, const dvec3& direction, doub
     ray.point = toVec4(point, std::clamp(begin, -kFarthest, kFarthest));
     ray.point_lo = toVec4(point - dvec3(ray.point), std::clamp(end, -kFarthest, kFarthest));
     ray.direction = toVec4(direction, secondary ? 1.0 : 0.0);
-    ray.direction_lo = toVec4(direction - dvec3(ray.direction), 0.0);
+    ray.direction_lo = toVec4(direction - dvec3(ray.direction), double(number));
     return ray;
 }
 

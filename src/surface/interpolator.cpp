@@ -13,9 +13,10 @@ namespace dsphere {
 Interpolator::Interpolator(const Heightmap& map, Filter filter)
     : map_(&map), spline_(filter == Filter::BSpline), texel_(map.registration == Registration::Texel) {
     const double turns = (map.longitude_origin + 180.0) / 360.0 - 0.5;
-    columns_per_radian_ = map.width / (2.0 * kPi);
-    first_column_ = map.width * (turns - std::floor(turns)) + (texel_ ? 0.5 : 0.0);
-    rows_per_radian_ = (texel_ ? map.height : map.height - 1) / kPi;
+    steps_.columns_per_radian = map.width / (2.0 * kPi);
+    steps_.first_column = map.width * (turns - std::floor(turns)) + (texel_ ? 0.5 : 0.0);
+    steps_.rows_per_radian = (texel_ ? map.height : map.height - 1) / kPi;
+    steps_.first_row = texel_ ? 0.5 : 0.0;
 }
 
 HeightSample Interpolator::ripples(double longitude, double colatitude) const {
@@ -25,40 +26,32 @@ HeightSample Interpolator::ripples(double longitude, double colatitude) const {
             0.5 * n * std::sin(a) * std::cos(b)};
 }
 
-HeightSample Interpolator::atTexel(double column, double row) const {
-    return spline_ ? spline(column, row) : bilinear(column, row);
-}
-
 HeightSample Interpolator::at(double longitude, double colatitude) const {
     if (map_->ripples) return ripples(longitude, colatitude);
-    const double column = longitude * columns_per_radian_ - first_column_;
-    const double row = colatitude * rows_per_radian_ - (texel_ ? 0.5 : 0.0), last = map_->height - 1;
-    HeightSample sample;
-    if (texel_ && (row < 0.0 || row > last)) {
-        // Between a pole and the row of values next to it heights run linearly.
-        const bool north = row < 0.0;
-        const double pole = north ? map_->north_pole : map_->south_pole;
-        const double share = 2.0 * (north ? row + 0.5 : last + 0.5 - row);
-        const HeightSample edge = atTexel(column, north ? 0.0 : last);
-        sample.stored = pole + share * (edge.stored - pole);
-        sample.per_longitude = share * edge.per_longitude;
-        sample.per_colatitude = (north ? 2.0 : -2.0) * (edge.stored - pole);
-        sample.mixed = (north ? 2.0 : -2.0) * edge.per_longitude;
-    } else {
-        sample = atTexel(column, row);
-    }
-    sample.per_longitude *= columns_per_radian_;
-    sample.per_colatitude *= rows_per_radian_;
-    sample.mixed *= columns_per_radian_ * rows_per_radian_;
+    const double column = longitude * steps_.columns_per_radian - steps_.first_column;
+    const double row = colatitude * steps_.rows_per_radian - steps_.first_row;
+    HeightSample sample = spline_ ? splineWithCaps(column, row) : ofPatch(patchAt(column, row));
+    sample.per_longitude *= steps_.columns_per_radian;
+    sample.per_colatitude *= steps_.rows_per_radian;
+    sample.mixed *= steps_.columns_per_radian * steps_.rows_per_radian;
     return sample;
+}
+
+HeightSample Interpolator::ofPatch(const BilinearPatch& patch) const {
+    const auto& [nw, ne, sw, se, east, south, rows_inverse] = patch;
+    const double north_edge = nw + east * (ne - nw), south_edge = sw + east * (se - sw);
+    return {north_edge + south * (south_edge - north_edge), (1.0 - south) * (ne - nw) + south * (se - sw),
+            (south_edge - north_edge) * rows_inverse, ((se - sw) - (ne - nw)) * rows_inverse};
 }
 
 // Rows from a pole to the row of values next to it have floors of their own: -1 and that of the last row.
 bool Interpolator::onOnePatch(double longitude_a, double colatitude_a, double longitude_b, double colatitude_b) const {
-    if (spline_ || map_->ripples) return false;
-    const auto column = [&](double longitude) { return std::floor(longitude * columns_per_radian_ - first_column_); };
-    const auto row = [&](double colatitude) {
-        return std::floor(colatitude * rows_per_radian_ - (texel_ ? 0.5 : 0.0));
+    if (!isBilinear()) return false;
+    const auto column = [this](double longitude) {
+        return std::floor(longitude * steps_.columns_per_radian - steps_.first_column);
+    };
+    const auto row = [this](double colatitude) {
+        return std::floor(colatitude * steps_.rows_per_radian - steps_.first_row);
     };
     return column(longitude_a) == column(longitude_b) && row(colatitude_a) == row(colatitude_b);
 }
@@ -70,19 +63,20 @@ double Interpolator::texel(int column, int row) const {
     return map_->at(column, row);
 }
 
-HeightSample Interpolator::bilinear(double column, double row) const {
+BilinearPatch Interpolator::patchAt(double column, double row) const {
     const int width = map_->width, last = map_->height - 1;
     const double floor = std::floor(column);
-    const double a = column - floor;
-    int i = int(floor);  // from minus one and a half widths on
+    int i = int(floor);
     while (i < 0) i += width;
     if (i >= width) i -= width;
     const int next = i + 1 < width ? i + 1 : 0;
+    const double east = column - floor, north_pole = map_->north_pole, south_pole = map_->south_pole;
+    // Between a pole and the row of values next to it heights run linearly.
+    if (texel_ && row < 0.0) return {north_pole, north_pole, texel(i, 0), texel(next, 0), east, 2.0 * (row + 0.5), 2.0};
+    if (texel_ && row > last)
+        return {texel(i, last), texel(next, last), south_pole, south_pole, east, 2.0 * (row - last), 2.0};
     const int j = std::clamp(int(row), 0, std::max(last - 1, 0)), below = std::min(j + 1, last);
-    const double b = row - j;
-    const double nw = texel(i, j), ne = texel(next, j), sw = texel(i, below), se = texel(next, below);
-    const double north = nw + a * (ne - nw), south = sw + a * (se - sw);
-    return {north + b * (south - north), (1.0 - b) * (ne - nw) + b * (se - sw), south - north, (se - sw) - (ne - nw)};
+    return {texel(i, j), texel(next, j), texel(i, below), texel(next, below), east, row - j, 1.0};
 }
 
 // Beyond the first and the last row texels repeat; gridline rows are mirrored through the pole's value.
@@ -93,6 +87,18 @@ double Interpolator::control(int column, int row) const {
     if (texel_) return texel(column, std::clamp(row, 0, last));
     const double pole = row < 0 ? map_->north_pole : map_->south_pole;
     return 2.0 * pole - texel(column, row < 0 ? std::min(-row, last) : std::max(2 * last - row, 0));
+}
+
+HeightSample Interpolator::splineWithCaps(double column, double row) const {
+    const double last = map_->height - 1;
+    if (!texel_ || (row >= 0.0 && row <= last)) return spline(column, row);
+    // Between a pole and the row of values next to it heights run linearly.
+    const bool north = row < 0.0;
+    const double pole = north ? map_->north_pole : map_->south_pole;
+    const double share = 2.0 * (north ? row + 0.5 : last + 0.5 - row);
+    const HeightSample edge = spline(column, north ? 0.0 : last);
+    return {pole + share * (edge.stored - pole), share * edge.per_longitude,
+            (north ? 2.0 : -2.0) * (edge.stored - pole), (north ? 2.0 : -2.0) * edge.per_longitude};
 }
 
 HeightSample Interpolator::spline(double column, double row) const {

@@ -7,7 +7,9 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 namespace dsphere::query {
@@ -204,6 +206,30 @@ TEST_F(Rays, AnswersKeepTheOrderAcrossBlocks) {
         });
     EXPECT_EQ(wrong, 0u);
     EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), std::ptrdiff_t(kCount));
+}
+
+// Those that enter far apart are traced in another order, and those that pass by not at all.
+TEST_F(Rays, TheOrderOfRaysChangesNothing) {
+    World planet_world = world(planet("\"float maxdispl\" 5"));
+    std::vector<QueryRay> rows;
+    for (int j = 0; j < 100; ++j)
+        for (int i = 0; i < 200; ++i) rows.push_back({{0, 0, 4}, {0.4 * (i - 99.5) / 100, 0.4 * (j - 49.5) / 50, -1}});
+    std::vector<std::size_t> order(rows.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::shuffle(order, std::mt19937(1));
+    std::vector<QueryRay> shuffled;
+    for (const std::size_t i : order) shuffled.push_back(rows[i]);
+    const std::vector<Answer> expected = trace(planet_world, rows), answers = trace(planet_world, shuffled);
+    std::size_t hits = 0, different = 0;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const QueryHit &hit = answers[k].hit, &same = expected[order[k]].hit;
+        hits += hit.status == QueryStatus::Hit;
+        const bool equal = hit.status == QueryStatus::Hit ? hit.t == same.t && hit.normal == same.normal : true;
+        different += hit.status != same.status || !equal;
+    }
+    EXPECT_GT(hits, order.size() / 4);
+    EXPECT_LT(hits, order.size() * 3 / 4);
+    EXPECT_EQ(different, 0u);
 }
 
 TEST_F(Rays, TheCertifierFindsWhatIsWrong) {
