@@ -36,13 +36,18 @@ std::vector<fs::path> documents() {
     return paths;
 }
 
-/// "Suite.Name" of every test that is written in tests/.
+/// "Suite.Name" of every test that is written in tests/, whose lines begin with TEST(Suite, Name), TEST_F or TEST_P.
 std::set<std::string> testNames() {
-    static const std::regex test(R"(\nTEST(?:_F|_P)?\((\w+, \w+)\))");
     std::set<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(kRoot / "tests")) {
         if (entry.path().extension() != ".cpp") continue;
-        for (std::string name : allOf(textOf(entry.path()), test)) names.insert(name.replace(name.find(", "), 2, "."));
+        std::ifstream file(entry.path());
+        for (std::string line; std::getline(file, line);) {
+            if (line.rfind("TEST", 0) != 0) continue;
+            const std::size_t open = line.find('('), comma = line.find(", "), close = line.find(')');
+            if (open < comma && comma < close && close != std::string::npos)
+                names.insert(line.substr(open + 1, comma - open - 1) + '.' + line.substr(comma + 2, close - comma - 2));
+        }
     }
     return names;
 }
@@ -82,7 +87,9 @@ TEST(Documents, RulesForDriversAreThere) {
     std::set<std::string> used;
     for (const char* top : {"src", "shaders", "cmake"})
         for (const auto& entry : fs::recursive_directory_iterator(kRoot / top))
-            if (entry.is_regular_file()) used.merge(allOf(textOf(entry.path()), cited));
+            if (const std::string text = entry.is_regular_file() ? textOf(entry.path()) : "";
+                text.find("ule ") != std::string::npos)
+                used.merge(allOf(text, cited));
     for (const std::string& rule : used) EXPECT_TRUE(rules.contains(rule)) << rule;
     for (const std::string& rule : rules) EXPECT_TRUE(used.contains(rule)) << rule << " is cited nowhere";
 }
