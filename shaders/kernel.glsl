@@ -110,8 +110,10 @@ void finish(const Task task, const Gathered gathered, const int sample_index) {
     if (missesTile()) {
         leaveForTile(pixelBits(task.pixel));
         absent_tile = -1;  // the invocation's next pixel may have all of its own
+        given_up = false;
         return;
     }
+    countGivenUp();
     if (gathered.searches.doubtful) {
         leaveForRetry(task.pixel, gathered.point.clear);
         return;

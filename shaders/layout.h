@@ -154,8 +154,10 @@ using uint = std::uint32_t;
 
 // Loops of one invocation share 65,535 back-edges on lavapipe (rule L7), all rays of its pixels together, and end
 // silently there; its whole SIMD group shares them, and pays the sum where its lanes are not long at once. A march
-// takes some 25 on average; the longest, across a pole of a map 16,384 wide, passes 8,192 cells of 4 fetches each.
-#define MAX_STEPS 48000
+// takes some 25 on average; the longest, across a pole of a map 46,080 wide, passes 23,040 cells of 4 fetches each.
+// With a shadow ray that is as long this is what back-edges allow. The picture of a search that ends here is not exact:
+// it is counted, RetryHead::given_up.
+#define MAX_STEPS 96000
 #define MAX_MARCHES 640  // shapes times (lights + 1)
 // An invocation whose searches took more takes no further pixel. A back-edge through a cell is 4 steps.
 #define TURN_STEPS 12000
@@ -283,6 +285,7 @@ struct RenderParams {
 #define RETRY_ROW 1024
 struct RetryHead {
     uint groups[3], count;
+    uint given_up;  // pixels of whose searches one was ended by MAX_STEPS, in this list's pass
 };
 
 // A pixel of the list: x and y in 16 bits each, and SurfacePoint::clear of its camera ray. query.comp: a ray's index.
@@ -362,7 +365,7 @@ static_assert(sizeof(MapData) * MAX_OBJECTS * MAX_LEVELS <= 65536);
 static_assert(sizeof(AbsentHead) == 16);
 static_assert(sizeof(AbsentPixel) == 8);
 static_assert(sizeof(RenderParams) == 32);
-static_assert(sizeof(RetryHead) == 16);
+static_assert(sizeof(RetryHead) == 20);
 static_assert(sizeof(RetryPixel) == 8);
 }  // namespace dsphere::layout
 #endif

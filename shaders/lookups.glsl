@@ -22,6 +22,13 @@ bool missesTile() {
     return kTiles != 0 && absent_tile >= 0;
 }
 
+// Whether MAX_STEPS has ended a search for the invocation's pixel.
+bool given_up = false;
+
+void giveUp() {
+    given_up = true;
+}
+
 // The sample at a column of a tile's row, which begins at `start` (x in words).
 real tileSample(const MapData map, const ivec3 start, const int column) {
     bool wide = map.samples == SAMPLES_FLOAT;

@@ -184,5 +184,6 @@ Walk march(const Ray ray, const MapData map, const Pair base, const real scale, 
     }
     walk.steps = steps;
     walk.exhausted = steps >= MAX_STEPS;
+    if (walk.exhausted) giveUp();
     return walk;
 }

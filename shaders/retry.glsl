@@ -39,3 +39,9 @@ void leaveForTile(const uint pixel) {
     absent_pixels[place].pixel = pixel;
     absent_pixels[place].tile = uint(absent_tile);
 }
+
+// Of a pixel that is done: tells the host whether one of its searches was given up.
+void countGivenUp() {
+    if (given_up) atomicAdd(retry.given_up, 1u);
+    given_up = false;
+}

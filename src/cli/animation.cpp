@@ -64,13 +64,15 @@ int renderAnimation(const RenderOptions& options, Scene& scene, const MarchMetho
         const RenderFrame render = [&](Frame frame, const FrameProgress& progress) {
             shown.moving().change(frame.scene);
             notices.add(frame.number, reference::warnOfBuriedEye(frame.scene, shown.moving().maps()));
-            const double before = shown.renderer().stats().device_seconds;
+            const RenderStats before = shown.renderer().stats();
             const auto progressOfPlanes = [&](double) { return progress(0.0); };
             auto rendered = std::make_shared<Rendered>(
                 renderAll(shown.renderer(), frame.scene, whole, target, {}, progressOfPlanes, progress));
             shown.device().checkValidation();
-            notices.add(frame.number, noticesOf(nonFinitePixels(rendered->colour)));
-            std::optional<double> seconds = shown.renderer().stats().device_seconds - before;
+            const RenderStats& after = shown.renderer().stats();
+            notices.add(frame.number, noticesOf(nonFinitePixels(rendered->colour),
+                                                after.given_up_pixels - before.given_up_pixels));
+            std::optional<double> seconds = after.device_seconds - before.device_seconds;
             device_seconds += *seconds;
             if (options.reproducible) seconds.reset();
             return [&, seconds, rendered, frame = std::move(frame)] {

@@ -78,7 +78,7 @@ int runRender(const RenderOptions& options) {
     writeTarget(target, std::move(rendered).picture(), metadata, options);
     if (done < shard.samples()) throwPartial(options, target, done, shard.samples());
     const Result result{target, shown.device().info(), shown.renderer(), maps, secondsSince(start), non_finite};
-    if (!options.common.quiet) printNotices(noticesOf(non_finite));
+    if (!options.common.quiet) printNotices(noticesOf(non_finite, shown.renderer().stats().given_up_pixels));
     if (options.common.json) printJson(result);
     if (!options.common.quiet) printReport(result, options.common.verbose);
     return int(ExitCode::Ok);

@@ -17,9 +17,17 @@ Rendered renderAll(SceneRenderer& renderer, const Scene& scene, const Shard& sha
     return result;
 }
 
-Notices noticesOf(std::size_t non_finite_pixels) {
-    if (non_finite_pixels == 0) return {};
-    return {{Notice::Kind::Warning, fmt::format("{} pixels hold light that is not finite", non_finite_pixels)}};
+Notices noticesOf(std::size_t non_finite_pixels, std::uint64_t given_up_pixels) {
+    Notices notices;
+    if (non_finite_pixels > 0)
+        notices.push_back(
+            {Notice::Kind::Warning, fmt::format("{} pixels hold light that is not finite", non_finite_pixels)});
+    if (given_up_pixels > 0)
+        notices.push_back({Notice::Kind::Warning,
+                           fmt::format("{} samples of pixels may be wrong: their rays skim the ground across a pole of "
+                                       "the map, through more columns than the device's loops can go",
+                                       given_up_pixels)});
+    return notices;
 }
 
 void printJson(const Result& result) {
@@ -32,6 +40,7 @@ void printJson(const Result& result) {
                                    {"camera_rays", stats.camera_rays},
                                    {"camera_rays_per_second", result.raysPerSecond()},
                                    {"retried_pixels", stats.retried_pixels},
+                                   {"given_up_pixels", stats.given_up_pixels},
                                    {"tiles_read", stats.tiles_read},
                                    {"non_finite_pixels", result.non_finite_pixels},
                                    {"map_bytes", result.renderer.mapBytes()},

@@ -28,7 +28,8 @@ struct Rendered {
 Rendered renderAll(SceneRenderer& renderer, const Scene& scene, const Shard& shard, const Target& target,
                    SampleSums start, const Progress& update_planes, const Progress& update);
 
-Notices noticesOf(std::size_t non_finite_pixels);
+/// What a user must know of a picture: counts of pixels, and of samples as in RenderStats.
+Notices noticesOf(std::size_t non_finite_pixels, std::uint64_t given_up_pixels);
 
 struct Result {
     const Target& target;

@@ -102,9 +102,10 @@ void HostRenderer::runTiles(HostFilm& film, std::uint32_t mask, int sample, std:
         const Box& box = tiles_[i];
         const layout::RenderParams tile = {box.x0, box.y0, box.x1, box.y1, crop_.x0, crop_.y0, sample, seed};
         std::vector<layout::RetryPixel> retry;
-        kernels_.first(scene_, specialization, tile, film, retry);
-        if (!retry.empty()) kernels_.full(scene_, specialization, tile, film, retry);
+        std::uint32_t given_up = kernels_.first(scene_, specialization, tile, film, retry);
+        if (!retry.empty()) given_up += kernels_.full(scene_, specialization, tile, film, retry);
         std::lock_guard lock(mutex);
+        stats_.given_up_pixels += given_up;
         stats_.retried_pixels += retry.size();
         if (progress && !progress(double(++done) / double(tiles_.size())))
             throw Error(ExitCode::Interrupted, "interrupted; nothing was written");

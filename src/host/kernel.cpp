@@ -161,7 +161,7 @@ struct Invocation {
     const std::span<const float> tables;
     const std::span<const layout::vec4> ramp_points;
     HostFilm& film;
-    RetryHead retry = {{0, 1, 1}, 0};
+    RetryHead retry = {{0, 1, 1}, 0, 0};
     std::vector<RetryPixel>& retry_pixels;
     AbsentHead absent = {};  // always empty, as no tile is ever absent
     std::vector<AbsentPixel> absent_pixels;
@@ -194,20 +194,21 @@ uint groupsOf(uint items, uint size) {
 
 }  // namespace
 
-void HOST_FILL(const HostScene& scene, const Specialization& specialization, const RenderParams& tile, HostFilm& film,
-               std::vector<RetryPixel>& list) {
+std::uint32_t HOST_FILL(const HostScene& scene, const Specialization& specialization, const RenderParams& tile,
+                        HostFilm& film, std::vector<RetryPixel>& list) {
     Invocation invocation(scene, specialization, tile, film, list);
     if (invocation.kIsRetry) {
         invocation.retry.count = uint(list.size());
         for (uint group = 0; group < groupsOf(uint(list.size()), GROUP_SIZE_X * GROUP_SIZE_Y); ++group)
             invocation.runGroup(group % RETRY_ROW, group / RETRY_ROW);
-        return;
+        return invocation.retry.given_up;
     }
     const uint width = uint(tile.tile_x1 - tile.tile_x), height = uint(tile.tile_y1 - tile.tile_y);
     list.resize(std::size_t(width) * height);
     for (uint y = 0; y < groupsOf(height, GROUP_SIZE_Y); ++y)
         for (uint x = 0; x < groupsOf(width, GROUP_SIZE_X); ++x) invocation.runGroup(x, y);
     list.resize(invocation.retry.count);
+    return invocation.retry.given_up;
 }
 
 #ifdef HOST_PROBE

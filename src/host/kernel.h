@@ -23,9 +23,11 @@ struct HostFilm {
 };
 
 /// Fills the planes of a tile's pixels; tiles that share no pixel may be filled at once. A kernel of search_filter
-/// leaves pixels in `retry`, which one of search_full takes; that takes nothing of the tile but the sample.
-using FillFunction = void(const HostScene& scene, const Specialization& specialization,
-                          const layout::RenderParams& tile, HostFilm& film, std::vector<layout::RetryPixel>& retry);
+/// leaves pixels in `retry`, which one of search_full takes; that takes nothing of the tile but the sample. Returned:
+/// RenderStats::given_up_pixels of the tile.
+using FillFunction = std::uint32_t(const HostScene& scene, const Specialization& specialization,
+                                   const layout::RenderParams& tile, HostFilm& film,
+                                   std::vector<layout::RetryPixel>& retry);
 using FillTile = FillFunction*;
 
 /// What fills a scene's pictures: `first`, then `full` (null: there is none) what it left.

@@ -7,7 +7,7 @@ namespace dsphere {
 
 namespace {
 
-constexpr layout::RetryHead kEmptyRetryList = {.groups = {0, 1, 1}, .count = 0};
+constexpr layout::RetryHead kEmptyRetryList = {.groups = {0, 1, 1}, .count = 0, .given_up = 0};
 
 }  // namespace
 
@@ -36,6 +36,7 @@ double Leftovers::run(gpu::Batch& batch, const gpu::BindingSet& set, const Pipel
         layout::RetryHead head;
         std::memcpy(&head, head_.mapped().data(), sizeof(head));
         retried_ += head.count;
+        given_up_ += head.given_up;
         return seconds;
     };
     double seconds = submit();

@@ -38,6 +38,8 @@ class Leftovers {
     }
     /// How many full precision has decided, so far.
     std::uint64_t retried() const { return retried_; }
+    /// Of how many MAX_STEPS has ended a search, so far.
+    std::uint64_t givenUp() const { return given_up_; }
 
   private:
     double run(gpu::Batch& batch, const gpu::BindingSet& set, const Pipelines& pipelines, const void* params,
@@ -46,7 +48,7 @@ class Leftovers {
     gpu::Buffer retry_list_;  ///< RetryHead, then RetryPixels
     gpu::Buffer head_;        ///< the head, for the host
     AbsentList absent_;
-    std::uint64_t retried_ = 0;
+    std::uint64_t retried_ = 0, given_up_ = 0;
 };
 
 }  // namespace dsphere

@@ -61,6 +61,8 @@ class Pass {
     double run(std::span<const layout::RenderParams> tiles);
     /// Pixels that were done again, so far.
     std::uint64_t retried() const { return leftovers_.retried(); }
+    /// Pixels for which a search was given up, so far.
+    std::uint64_t givenUp() const { return leftovers_.givenUp(); }
     /// PassPipelines::columns().
     int columns() const { return pipelines_.columns(); }
     /// PassPipelines::pixel_seconds.

@@ -79,6 +79,7 @@ PassPipelines& Renderer::pipelines(const MarchMethod& method, std::uint32_t mask
 
 void Renderer::countWork(const Pass& pass) {
     stats_.retried_pixels += pass.retried();
+    stats_.given_up_pixels += pass.givenUp();
     stats_.tiles_read = device_scene_.tiles().loads();
     stats_.tile_bytes = stats_.tiles_read * device_scene_.tiles().tileBytes();
 }
