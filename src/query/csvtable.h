@@ -10,10 +10,11 @@
 namespace dsphere::query {
 
 /// A CSV file whose first line names its columns, read line by line. Empty lines and those that begin with # are
-/// skipped, and spaces around values too.
+/// skipped, and spaces and quotes around values too.
 class CsvTable {
   public:
-    /// `expected`: which columns there may be, for messages. Error (InvalidInput) if there is no first line.
+    /// `expected`: which columns there may be, for messages. Error (InvalidInput) if there is no first line, or it has
+    /// no names.
     CsvTable(InputStream stream, const std::string& expected);
     CsvTable(const CsvTable&) = delete;
     CsvTable& operator=(const CsvTable&) = delete;

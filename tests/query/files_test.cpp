@@ -132,6 +132,16 @@ TEST_F(RayFile, WrongCsvIsRefusedWithItsPlace) {
     refuses("ox,oy,oz,dx,dy,dz\n1,2,3,4,5,6x\n", "rays:2: the value of 'dz' is '6x', expected a number");
     refuses("ox,oy,oz,dx,dy,dz\n1,2,,4,5,6\n", "rays:2: the value of 'oz' is ''");
     refuses("lat,lon,alt,azimuth,elevation\n91,0,0,0,0\n", "rays:2: a latitude of 91");
+    refuses("ox,oy,oz,dx,dy,dz\n+-1,2,3,4,5,6\n", "rays:2: the value of 'ox' is '+-1', expected a number");
+    refuses("ox,oy,oz,dx,dy,dz\n1e999,2,3,4,5,6\n", "the value of 'ox' is '1e999', which a double cannot hold");
+    refuses("0,0,4,0,0,-1\n", "rays:1: begins with numbers; the first line names the columns");
+    refuses("ox;oy;oz;dx;dy;dz\n", "rays:1: has no commas: 'ox;oy;oz;dx;dy;dz'");
+    refuses("ox oy oz dx dy dz\n", "has no commas");
+    refuses("ox,oy,oz,dx,dy,dz,\n", "rays:1: a column has no name (a comma too many?)");
+    refuses("ox,oy,oz,dx,dy,dz\r0,0,4,0,0,-1\r", "end in carriage returns alone");
+    refuses(std::string("\xff\xfeo\0x\0", 6), "is neither a NumPy array nor a CSV text");
+    refuses(std::string("\x80\x04\x95\xa3\0\0", 6), "is neither a NumPy array nor a CSV text");
+    refuses(std::string("PK\x03\x04\0\0", 6), "is an archive, as numpy.savez writes");
     expectError(ExitCode::Failure, "missing", [&] { openRays("missing", {}, geography_); });
     expectError(ExitCode::InvalidInput, "no NumPy file",
                 [&] { openRays(folder_.write("rays", "ox\n").string(), FileFormat::Npy, geography_); });
