@@ -100,7 +100,8 @@ SSH
     echo 'Shape "cube"' >>planet.pbrt
     code=0
     "$farm" planet.pbrt -o broken-here.exr --tiles 20 --local 2 2>broken.log || code=$?
-    ((code != 0)) && [[ ! -e broken-here.exr ]] || fail "a broken scene is no error"
+    ((code == 3)) || fail "a broken scene ends with exit code $code"
+    [[ ! -e broken-here.exr ]] || fail "a broken scene was merged"
     failures=$(grep --count "dsphere: error: planet.pbrt:10:7: unknown shape" broken.log || true)
     ((failures >= 1 && failures <= 2)) || fail "the broken scene was rendered $failures times"
 fi
