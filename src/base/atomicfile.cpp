@@ -9,12 +9,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <random>
 #include <system_error>
 #include <utility>
 
 #include "base/descriptor.h"
 #include "base/error.h"
+#include "base/temporaryfile.h"
 
 namespace dsphere {
 namespace {
@@ -27,30 +27,6 @@ constexpr mode_t kPermissions = 0666;  // less the process's umask
 /// errno of a call that failed, never 0.
 int systemError() {
     return errno != 0 ? errno : EIO;
-}
-
-fs::path folderOf(const fs::path& target) {
-    return target.has_parent_path() ? target.parent_path() : fs::path(".");
-}
-
-fs::path temporaryName(const fs::path& target) {
-    std::random_device random;
-    return folderOf(target) / fmt::format(".dsphere-{:08x}{:08x}.tmp", random(), random());
-}
-
-bool isTemporaryName(const std::string& name) {
-    constexpr std::string_view kStart = ".dsphere-", kEnd = ".tmp";
-    return name.size() == kStart.size() + 16 + kEnd.size() && name.starts_with(kStart) && name.ends_with(kEnd);
-}
-
-/// Removes temporary files whose process is gone: a living one holds a lock on its own.
-void removeLeftovers(const fs::path& folder) {
-    std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-        if (!isTemporaryName(entry->path().filename().string())) continue;
-        const Descriptor file(::open(entry->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-        if (file.number() >= 0 && flock(file.number(), LOCK_EX | LOCK_NB) == 0) unlink(entry->path().c_str());
-    }
 }
 
 /// Copies all of a file to another, from its first byte; errno of a failure, or 0.
@@ -105,7 +81,7 @@ AtomicFile::AtomicFile(fs::path target) {
     }
     checkReplaceable(target);
     target_ = resolveLinks(target);
-    removeLeftovers(folderOf(target_));
+    removeLeftovers(target_);
     if (!openUnnamed() && !openNamed()) {
         error_ = systemError();
         fail();

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "base/temporaryfile.h"
+
 namespace dsphere::cli {
 
 namespace {
@@ -30,6 +32,7 @@ void startGrace() {
     constexpr char kMessage[] = "dsphere: error: interrupted\n";
     // Nobody is left who could be told of a failure.
     [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kMessage, sizeof(kMessage) - 1);
+    removeTemporaryFiles();  // all other files have no name until they are whole
     _exit(128 + signal_caught);
 }
 

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/temporaryfile.h"
 #include "geo/gdal.h"
 #include "geo/gdalreference.h"
-#include "geo/temporary.h"
 
 namespace dsphere::geo {
 namespace {
@@ -41,14 +41,14 @@ struct LayerWriter::Parts {
     std::filesystem::path output;
     LayerPlace place;
     int count, written = 0;
-    Temporary temporary;
+    TemporaryFile temporary;
     Dataset dataset = {};
 };
 
 LayerWriter::LayerWriter(const std::filesystem::path& output, const LayerPlace& where,
                          const std::vector<LayerInfo>& layers) {
     const Gdal& g = gdal();
-    parts_.reset(new Parts{output, where, int(layers.size()), 0, Temporary(output)});
+    parts_.reset(new Parts{output, where, int(layers.size()), 0, TemporaryFile(output)});
     GdalMessages messages;
     Strings creation{"TILED=YES",       "COMPRESS=DEFLATE", "PREDICTOR=3",
                      "INTERLEAVE=BAND", "BIGTIFF=IF_SAFER", "NUM_THREADS=ALL_CPUS"};

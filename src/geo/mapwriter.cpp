@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "geo/temporary.h"
+#include "base/temporaryfile.h"
 
 namespace dsphere::geo {
 namespace {
@@ -75,9 +75,9 @@ void addOverviews(const Vrt& mosaic, const fs::path& file, const fs::path& outpu
 }  // namespace
 
 void writeGeoTiff(const Vrt& raster, const fs::path& output, const Tell& tell) {
-    Temporary temporary(output);
-    writeMap(raster, temporary.name(), output, tell);
-    addOverviews(raster, temporary.name(), output, tell);
+    TemporaryFile temporary(output);
+    writeMap(raster, temporary.name().string(), output, tell);
+    addOverviews(raster, temporary.name().string(), output, tell);
     temporary.commit();
 }
 
