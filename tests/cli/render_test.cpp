@@ -136,9 +136,10 @@ TEST_F(RenderTest, JsonIsAllOfStandardOutput) {
     EXPECT_EQ(json.at("image_bytes"), 0) << "the scene has no image";
     EXPECT_EQ(json.at("maps"), nlohmann::json::parse(R"([{"path":"map.pgm","nodata_texels":0}])"));
     EXPECT_LE(json.at("retried_pixels").get<int>(), 3 * kWidth * kHeight / 50) << "few need full precision";
+    EXPECT_EQ(json.at("given_up_pixels"), 0);
     EXPECT_EQ(json.at("tiles_read"), 0) << "the map is held in memory";
     EXPECT_EQ(json.at("non_finite_pixels"), 0);
-    EXPECT_EQ(json.size(), 13u) << "a field that this test does not know: " << outcome.out;
+    EXPECT_EQ(json.size(), 14u) << "a field that this test does not know: " << outcome.out;
 }
 
 TEST_F(RenderTest, QuietSaysNothing) {
