@@ -100,21 +100,12 @@ bool AtomicFile::openUnnamed() {
 }
 
 bool AtomicFile::openNamed() {
-    for (;;) {
-        const fs::path name = temporaryName(target_);
-        const int descriptor = ::open(name.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, kPermissions);
-        if (descriptor < 0) return false;
-        flock(descriptor, LOCK_EX | LOCK_NB);
-        // Another process may have taken it for a leftover before it was locked.
-        struct stat made = {};
-        if (fstat(descriptor, &made) == 0 && made.st_nlink == 0) {
-            close(descriptor);
-            continue;
-        }
-        temporary_ = name;
-        file_.reset(fdopen(descriptor, "w+b"));
-        return file_ != nullptr;
-    }
+    fs::path name;
+    const int descriptor = openTemporary(target_, name);
+    if (descriptor < 0) return false;
+    temporary_ = name;
+    file_.reset(fdopen(descriptor, "w+b"));
+    return file_ != nullptr;
 }
 
 AtomicFile::~AtomicFile() {

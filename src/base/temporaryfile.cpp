@@ -59,20 +59,25 @@ void removeLeftovers(const fs::path& target) {
     }
 }
 
+int openTemporary(const fs::path& target, fs::path& name) {
+    for (;;) {
+        name = temporaryName(target);
+        const int descriptor = ::open(name.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0666);
+        if (descriptor < 0) return -1;
+        flock(descriptor, LOCK_EX | LOCK_NB);
+        // Another process may have taken it for a leftover before it was locked.
+        struct stat made = {};
+        if (fstat(descriptor, &made) != 0 || made.st_nlink > 0) return descriptor;
+        close(descriptor);
+    }
+}
+
 TemporaryFile::TemporaryFile(const fs::path& target) {
     checkReplaceable(target);
     target_ = resolveLinks(target);
     removeLeftovers(target_);
-    for (;;) {
-        name_ = temporaryName(target_);
-        descriptor_ = ::open(name_.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0666);
-        if (descriptor_ < 0) throwFailure("{}: cannot be written: {}", target.string(), lastSystemError());
-        flock(descriptor_, LOCK_EX | LOCK_NB);
-        // Another process may have taken it for a leftover before it was locked.
-        struct stat made = {};
-        if (fstat(descriptor_, &made) != 0 || made.st_nlink > 0) break;
-        close(descriptor_);
-    }
+    descriptor_ = openTemporary(target_, name_);
+    if (descriptor_ < 0) throwFailure("{}: cannot be written: {}", target.string(), lastSystemError());
     replaceOnce(nullptr, name_.c_str());
     struct stat replaced = {};
     if (stat(target_.c_str(), &replaced) == 0) fchmod(descriptor_, replaced.st_mode & 0777);

@@ -10,6 +10,8 @@ std::filesystem::path folderOf(const std::filesystem::path& target);
 std::filesystem::path temporaryName(const std::filesystem::path& target);
 /// Removes the temporary files in the target's folder whose process is gone: a living one holds a lock on its own.
 void removeLeftovers(const std::filesystem::path& target);
+/// Makes a file of such a name, empty, open and locked; -1 and errno where that fails.
+int openTemporary(const std::filesystem::path& target, std::filesystem::path& name);
 
 /// A file with a temporary name beside its target, for libraries that open files by their names. It takes the target's
 /// place by commit(), or is removed. As with AtomicFile, which has no name until it is whole, a target that is a
