@@ -70,8 +70,8 @@ int renderAnimation(const RenderOptions& options, Scene& scene, const MarchMetho
                 renderAll(shown.renderer(), frame.scene, whole, target, {}, progressOfPlanes, progress));
             shown.device().checkValidation();
             const RenderStats& after = shown.renderer().stats();
-            notices.add(frame.number, noticesOf(nonFinitePixels(rendered->colour),
-                                                after.given_up_pixels - before.given_up_pixels));
+            notices.add(frame.number,
+                        noticesOf(nonFinitePixels(rendered->colour), after.given_up_pixels - before.given_up_pixels));
             std::optional<double> seconds = after.device_seconds - before.device_seconds;
             device_seconds += *seconds;
             if (options.reproducible) seconds.reset();

@@ -62,8 +62,10 @@ QueryHit Query::trace(const QueryRay& ray) {
 std::vector<QueryStatus> Query::statuses(std::span<const QueryRay> rays) {
     Parts& parts = *parts_;
     if (!parts.any)
-        parts.any.emplace(parts.device, parts.scene, parts.maps, parts.packed, parts.device_scene,
-                          query::Engine::Options{.frame = parts.options.frame, .wishes = {.normal = false}, .parts = query::AnswerParts::none()});
+        parts.any.emplace(
+            parts.device, parts.scene, parts.maps, parts.packed, parts.device_scene,
+            query::Engine::Options{
+                .frame = parts.options.frame, .wishes = {.normal = false}, .parts = query::AnswerParts::none()});
     return Parts::trace<QueryStatus>(*parts.any, rays,
                                      [](std::size_t, const query::Answer& answer) { return answer.hit.status; });
 }
