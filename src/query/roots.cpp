@@ -72,8 +72,12 @@ FOR_SIMD void lookBelow(Work& work, const dmat4& device_from_frame, const MapSte
         work.dx[i] = dx, work.dy[i] = dy, work.dz[i] = dz;
         work.px[i] = x, work.py[i] = y, work.pz[i] = z;
         work.square[i] = square, work.t[i] = t;
-        work.longitude[i] = angleOf(x, z);
-        work.colatitude[i] = angleOf(std::sqrt(x * x + z * z), y);
+        // Elsewhere squares overflow or vanish, or there is no longitude: any place does.
+        const double rho2 = x * x + z * z;
+        const bool regular = (square > 1e-200) & (square < 1e200) & (rho2 > 1e-200);
+        work.left[i] = regular ? 0.0 : 1.0;
+        work.longitude[i] = regular ? angleOf(x, z) : 0.0;
+        work.colatitude[i] = regular ? angleOf(std::sqrt(rho2), y) : 0.0;
         work.column[i] = work.longitude[i] * steps.columns_per_radian - steps.first_column;
         work.row[i] = work.colatitude[i] * steps.rows_per_radian - steps.first_row;
     }
@@ -117,8 +121,7 @@ FOR_SIMD void stepOnPatches(Work& work, double base, double scale, const MapStep
         const double twist = mixed * to_east * to_south;
         const bool near = step * step * work.square[i] < kShortMove * kShortMove * rho2;
         const bool on_patch = (new_east >= 0.0) & (new_east < 1.0) & (new_south >= 0.0) & (new_south < 1.0);
-        const bool regular = (work.square[i] > 1e-200) & (work.square[i] < 1e200) & (rho > 1e-100);
-        const bool done = regular & (stays | (near & on_patch & (std::abs(twist * scale) < kGoodEnough)));
+        const bool done = (work.left[i] == 0.0) & (stays | (near & on_patch & (std::abs(twist * scale) < kGoodEnough)));
         work.left[i] = done ? 0.0 : 1.0;
         work.t[i] += step;
         work.px[i] = x + step * dx, work.py[i] = y + step * dy, work.pz[i] = z + step * dz;

@@ -39,7 +39,8 @@ bool makeLine(const Ray& ray, Line& line) {
     line.distance = std::sqrt(glm::dot(c, c));
     line.origin_s = glm::dot(o, d);
     line.s_begin = double(line.origin_s + line.length * ray.t_min);
-    line.s_end = double(line.origin_s + line.length * ray.t_max);
+    // x87 takes many times as long over an infinity.
+    line.s_end = std::isinf(ray.t_max) ? ray.t_max : double(line.origin_s + line.length * ray.t_max);
     return true;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace dsphere {
@@ -65,6 +66,7 @@ double Interpolator::texel(int column, int row) const {
 
 BilinearPatch Interpolator::patchAt(double column, double row) const {
     const int width = map_->width, last = map_->height - 1;
+    assert(column > -2.0 * width && column < 2.0 * width);
     const double floor = std::floor(column);
     int i = int(floor);
     while (i < 0) i += width;

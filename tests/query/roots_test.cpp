@@ -34,10 +34,25 @@ class Roots : public QueryTest {
         places_.resize(count);
     }
 
+    /// Every ninth ray goes down the axis, where no longitude is; every ninth has a direction whose square is infinite.
+    void makeIrregular(const ShapeFrame& shape) {
+        for (std::size_t i = 0; i < rays_.size(); i += 9) {
+            const double pole = i % 2 ? 1.0 : -1.0;
+            const double ground = shape.base + shape.scale * shape.heights->at(0.0, i % 2 ? 0.0 : kPi).stored;
+            const dvec3 origin = transformPoint(shape.frame_from_device, dvec3(0.0, 4.0 * pole, 0.0));
+            const dvec3 direction = transformVector(shape.frame_from_device, dvec3(0.0, -pole, 0.0));
+            rays_[i] = {{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}};
+            hits_[i].position = positions_[i] = dvec3(0.0, pole * ground, 0.0);
+            if (i + 1 < rays_.size())
+                for (double& d : rays_[i + 1].direction) d *= 1e180;
+        }
+    }
+
     void expectTheSame(const std::string& shapes, const Engine::Options& options = {}) {
         World scene = world(shapes, options);
         const ShapeFrame& shape = scene.engine.shapes()[0];
         makeHits(shape, 5003);  // no multiple of the lanes
+        makeIrregular(shape);
         findRoots(places_, shape, hits_);
         std::size_t on_ground = 0;
         for (std::size_t i = 0; i < hits_.size(); ++i) {
