@@ -34,6 +34,10 @@ endfunction()
 option(DSPHERE_UNITY "Compile several files at once: builds are faster, rebuilds after a small change slower" ON)
 function(dsphere_unity target)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ${DSPHERE_UNITY} UNITY_BUILD_BATCH_SIZE 6)
+    # GCC takes the one file for a header, whose anonymous namespaces would differ from one includer to the next.
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+    endif()
 endfunction()
 
 # dsphere_test(name sources... LINK targets... [LABEL label] [SHARDS n]): one GoogleTest program, its cases named in ctest

@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include <limits>
 #include <numbers>
 
 namespace dsphere {
@@ -15,6 +16,7 @@ using glm::dvec3;
 using glm::dvec4;
 
 inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();  ///< 2^-52
 
 /// `m` applied to a point (w = 1, affine).
 inline dvec3 transformPoint(const dmat4& m, const dvec3& p) {

@@ -9,7 +9,6 @@ namespace dsphere::reference {
 
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kDilation = 1e-9;  // cells; rounding of cell coordinates stays below it or counts as evaluation error
 
@@ -19,11 +18,6 @@ SlopeRange hull(const SlopeRange& a, const SlopeRange& b) {
 
 SlopeRange ordered(double a, double b) {
     return {std::min(a, b), std::max(a, b)};
-}
-
-SlopeRange product(const SlopeRange& a, const SlopeRange& b) {
-    const double p = a.least * b.least, q = a.least * b.greatest, r = a.greatest * b.least, t = a.greatest * b.greatest;
-    return {std::min({p, q, r, t}), std::max({p, q, r, t})};
 }
 
 double magnitude(const SlopeRange& a) {

@@ -17,11 +17,6 @@ SlopeRange around(double middle, double reach) {
     return {middle - reach, middle + reach};
 }
 
-SlopeRange product(const SlopeRange& x, const SlopeRange& y) {
-    const double p = x.least * y.least, q = x.least * y.greatest, r = x.greatest * y.least, s = x.greatest * y.greatest;
-    return {std::min({p, q, r, s}), std::max({p, q, r, s})};
-}
-
 SlopeRange scaled(double by, const SlopeRange& x) {
     return by >= 0.0 ? SlopeRange{by * x.least, by * x.greatest} : SlopeRange{by * x.greatest, by * x.least};
 }

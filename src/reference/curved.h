@@ -4,13 +4,9 @@
 // and of the ripples, and proven bounds of their slopes.
 
 #include "reference/grid.h"
+#include "reference/sloperange.h"
 
 namespace dsphere::reference {
-
-/// least <= slope <= greatest
-struct SlopeRange {
-    double least, greatest;
-};
 
 /// Of stored values, per cell; in rows that touch a pole the slope eastward is that over the share of the way from the
 /// pole to the row's other edge, which stays finite at the pole.

@@ -9,8 +9,6 @@ namespace dsphere::reference {
 
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
 double colatitude(const dvec3& p) {
     return std::atan2(std::hypot(p.x, p.z), p.y);
 }

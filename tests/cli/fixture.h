@@ -11,7 +11,8 @@
 
 namespace dsphere::test {
 
-/// Runs the program in a folder of the test's own, which holds a small scene, `planet.pbrt`, and its map.
+/// Runs the program in a folder of the test's own, which holds a small scene, `planet.pbrt`, and its map. All tests share
+/// what Mesa has compiled: half of their time would go into the same shaders.
 class CliTest : public testing::Test {
   protected:
     static constexpr int kWidth = 64, kHeight = 48;
@@ -41,6 +42,7 @@ class CliTest : public testing::Test {
     Outcome run(Launch launch) {
         launch.folder = folder_.path();
         launch.environment.push_back("XDG_CACHE_HOME=" + cache_.path().string());
+        launch.environment.push_back("MESA_SHADER_CACHE_DIR=" DSPHERE_SHADER_CACHE);
         return test::launch(launch);
     }
 
