@@ -33,9 +33,9 @@ struct TexelPlace {
 
 // `q` has its poles on y, as displaced spheres have.
 TexelPlace imageColumn(const ObjectData o, const vec3 q) {
-    real turn = atan2Precise(q.x, q.z) * (real(0.5) / kPi) + real(o.image_shift);
+    real u = atan2Precise(q.x, q.z) * (real(0.5) / kPi) + real(o.image_shift);
     TexelPlace place;
-    place.index = clamp(int((turn - floor(turn)) * real(o.image_width)), 0, o.image_width - 1);
+    place.index = clamp(int((u - floor(u)) * real(o.image_width)), 0, o.image_width - 1);
     place.beyond = angleFrom(makePair(q.x, real(0)), q.z, edgesAt(place.index, o.image_centres_y)) *
                    (real(o.image_width) * (real(0.5) / kPi));
     return place;
@@ -114,9 +114,9 @@ vec2 surfaceUv(const ObjectData o, const vec3 p) {
     if (isKind(o, KIND_DISPLACED))
         return vec2(real(0.5) + atan2Precise(p.x, p.z) / (real(2) * kPi),
                     atan2Precise(sqrt(p.x * p.x + p.z * p.z), p.y) / kPi);
-    real turn = atan2Precise(p.y, p.x) / (real(2) * kPi);
+    real u = atan2Precise(p.y, p.x) / (real(2) * kPi);
     real rho = sqrt(p.x * p.x + p.y * p.y);
     real v = isKind(o, KIND_DISK) ? (real(1) - rho) / (real(1) - sqrt(real(o.inner_squared)))
                                   : real(1) - atan2Precise(rho, p.z) / kPi;
-    return vec2(turn < real(0) ? turn + real(1) : turn, v);
+    return vec2(u < real(0) ? u + real(1) : u, v);
 }

@@ -27,7 +27,7 @@ ObjectHit hitDisplacedFiltered(const ObjectData object, const MapData map, const
     hit.inside = answer.inside;
     hit.doubtful = answer.doubtful;
     hit.steps = answer.steps;
-    hit.clear = clearUntil(answer);
+    hit.safe_s = safeUntil(answer);
     if (answer.hit) {
         Crossing crossing = filterRefine(ray, map, basePair(object), real(object.scale), answer);
         takeCrossing(hit, map, ray, crossing, answer.cell);
@@ -38,7 +38,7 @@ ObjectHit hitDisplacedFiltered(const ObjectData object, const MapData map, const
 
 ObjectHit hitDisplacedFully(const ObjectData object, const MapData map, const Ray ray) {
     ObjectHit hit = noHit();
-    Walk walk = march(ray, map, basePair(object), real(object.scale), real(object.shell_squared));
+    ExactWalk walk = march(ray, map, basePair(object), real(object.scale), real(object.shell_squared));
     hit.hit = walk.hit;
     hit.inside = walk.inside;
     hit.exhausted = walk.exhausted;

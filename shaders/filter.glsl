@@ -13,7 +13,7 @@ const real kPieceLength = real(1.0 / 64.0);
 // Closer to the axis than this every ray is in doubt.
 const real kAxisDoubt = real(2e-5);
 // Rounding of s between this walk and the other.
-const real kClearMargin = real(1e-5);
+const real kSafeMargin = real(1e-5);
 // Longer searches are left to the other walk, whose own steps count towards the same limit of the device.
 const int kFilterSteps = 12000;
 
@@ -134,8 +134,8 @@ const int kInside = 4;  // a hit where it starts
 
 // State of the walk along a piece: at x, in `cell`, whose column may lie beyond the map's first or last. Where it does not
 // go on, or halves a chord, it stays at the last chord's start. Loops keep no more than they must: on lavapipe each value
-// costs masked copies in every turn (rule L12).
-struct Stroll {
+// costs masked copies in every iteration (rule L12).
+struct FilterWalk {
     ivec2 cell;
     real x;
     int verdict;
@@ -150,42 +150,42 @@ real gapAhead(const real place, const bool forward, const real size) {
     return forward ? greater(size - place, real(0)) : lesser(-place, real(0));
 }
 
-// Of the stroll's cell, in the piece's columns and rows.
-vec2 cornerPlace(const Stroll stroll, const Piece piece, const MapData map) {
-    return vec2(real(stroll.cell.x - piece.cell.x), rowsBefore(map, stroll.cell.y) - piece.rows_before);
+// Of the walk's cell, in the piece's columns and rows.
+vec2 cornerPlace(const FilterWalk walk, const Piece piece, const MapData map) {
+    return vec2(real(walk.cell.x - piece.cell.x), rowsBefore(map, walk.cell.y) - piece.rows_before);
 }
 
-ivec2 wrappedCell(const Stroll stroll, const MapData map) {
-    return ivec2(wrapColumn(stroll.cell.x, map.width), stroll.cell.y);
+ivec2 wrappedCell(const FilterWalk walk, const MapData map) {
+    return ivec2(wrapColumn(walk.cell.x, map.width), walk.cell.y);
 }
 
-// What lies ahead in the stroll's cell, which is `height` rows high.
+// What lies ahead in the walk's cell, which is `height` rows high.
 struct Reach {
     vec3 place, rate;  // where the ray is in the cell, and how that changes with x
     bvec2 forward;     // eastward, southward
     Advance to_u, to_v;
 };
 
-Reach reachOf(const Stroll stroll, const Piece piece, const MapData map, const real height) {
-    real x = stroll.x;
+Reach reachOf(const FilterWalk walk, const Piece piece, const MapData map, const real height) {
+    real x = walk.x;
     Reach reach;
-    reach.place = piece.start + x * (piece.slope + x * piece.bend) - vec3(cornerPlace(stroll, piece, map), real(0));
+    reach.place = piece.start + x * (piece.slope + x * piece.bend) - vec3(cornerPlace(walk, piece, map), real(0));
     reach.rate = piece.slope + (real(2) * x) * piece.bend;
     reach.forward = bvec2(reach.rate.x > real(0), reach.rate.y > real(0));
     reach.to_u = advanceTo(gapAhead(reach.place.x, reach.forward.x, real(1)), reach.rate.x, piece.bend.x);
     reach.to_v = advanceTo(gapAhead(reach.place.y, reach.forward.y, height), reach.rate.y, piece.bend.y);
-    bool pole_edge = stroll.cell.y == (reach.forward.y ? map.rows - 1 : 0);
+    bool pole_edge = walk.cell.y == (reach.forward.y ? map.rows - 1 : 0);
     reach.to_v.by = pole_edge && reach.to_v.crosses ? kInfinity : reach.to_v.by;
     return reach;
 }
 
 // On to the last chord's end, and over the edges that it leaves the cell by.
-void strollOn(INOUT(Stroll) stroll, const Reach reach) {
-    bool leaves_u = reach.to_u.crosses && reach.to_u.by <= stroll.by;
-    bool leaves_v = reach.to_v.crosses && reach.to_v.by <= stroll.by;
-    stroll.x += stroll.by;
-    stroll.cell.x += leaves_u ? (reach.forward.x ? 1 : -1) : 0;
-    stroll.cell.y += leaves_v ? (reach.forward.y ? 1 : -1) : 0;
+void walkOn(INOUT(FilterWalk) walk, const Reach reach) {
+    bool leaves_u = reach.to_u.crosses && reach.to_u.by <= walk.by;
+    bool leaves_v = reach.to_v.crosses && reach.to_v.by <= walk.by;
+    walk.x += walk.by;
+    walk.cell.x += leaves_u ? (reach.forward.x ? 1 : -1) : 0;
+    walk.cell.y += leaves_v ? (reach.forward.y ? 1 : -1) : 0;
 }
 
 #include "filterstep.glsl"
@@ -204,24 +204,24 @@ struct Filtered {
 void filterLeaf(INOUT(Filtered) answer, INOUT(Cursor) at, const Ray ray, const MapData map, const real base,
                 const real scale, const real across_axis) {
     Piece piece = makePiece(ray, map, base, across_axis, at.s, at.leaf_end);
-    Stroll stroll;
-    stroll.cell = piece.cell;
-    stroll.x = real(0);
-    stroll.verdict = kGoing;
-    stroll.by = real(0);
-    stroll.parabola = vec3(real(0));
-    stroll.longest = real(1);
+    FilterWalk walk;
+    walk.cell = piece.cell;
+    walk.x = real(0);
+    walk.verdict = kGoing;
+    walk.by = real(0);
+    walk.parabola = vec3(real(0));
+    walk.longest = real(1);
     bool may_be_inside = ray.may_start_inside && at.s <= ray.s_min;
     while (answer.steps < kFilterSteps) {
-        strollStep(stroll, piece, map, scale, may_be_inside && stroll.x == real(0));
+        filterStep(walk, piece, map, scale, may_be_inside && walk.x == real(0));
         answer.steps += 4;
-        if (stroll.verdict != kGoing || piece.doubtful) break;
+        if (walk.verdict != kGoing || piece.doubtful) break;
     }
-    answer.verdict = piece.doubtful ? kDoubtful : stroll.verdict;
-    answer.cell = wrappedCell(stroll, map);
-    answer.low = piece.s + (piece.doubtful ? real(0) : stroll.x * piece.extent);
-    answer.extent = stroll.by * piece.extent;
-    answer.parabola = stroll.parabola;
+    answer.verdict = piece.doubtful ? kDoubtful : walk.verdict;
+    answer.cell = wrappedCell(walk, map);
+    answer.low = piece.s + (piece.doubtful ? real(0) : walk.x * piece.extent);
+    answer.extent = walk.by * piece.extent;
+    answer.parabola = walk.parabola;
     at.s = piece.s_end;  // where a leaf is longer than the piece, the next step finds the rest of it
     at.leaf = false;
 }
@@ -259,9 +259,9 @@ Filtered filterMarch(const Ray ray, const MapData map, const real base, const re
 }
 
 // Up to this s nothing is met, for certain: bounds, or the chords before, said so.
-real clearUntil(const Filtered answer) {
+real safeUntil(const Filtered answer) {
     bool cut_short = answer.steps >= kFilterSteps;
-    return cut_short ? -kInfinity : answer.low - kClearMargin;
+    return cut_short ? -kInfinity : answer.low - kSafeMargin;
 }
 
 // A float point, and the true surface of the cell seen from there.

@@ -4,7 +4,7 @@
 // y sin t, toward = rho sin t + y cos t, so tan(colatitude - t) = south / toward. Going from cell to cell turns the
 // frame by the cell's own small angle. Expects surface.glsl and ray.glsl.
 
-struct Frame {
+struct CellFrame {
     Anchor anchor;
     ivec2 cell;
     vec2 place, place_d;  // (across, along) of the anchor and of the direction
@@ -21,14 +21,14 @@ const real kOnAxis = real(2.5e-7);
 // A ray whose direction has less than this across the axis runs along it.
 const real kAlongAxis = real(1e-3);
 // How far off the axis a point is put to have the longitude of the ray's direction, in the same row.
-const real kTurnAside = real(1e-9);
+const real kAsideOfAxis = real(1e-9);
 
 // On the axis, and about to leave it; a ray along the axis stays in the column that it is in.
 bool isOnAxis(const vec3 p, const vec3 d) {
     return max(abs(p.x), abs(p.z)) < kOnAxis && max(abs(d.x), abs(d.z)) > kAlongAxis;
 }
 
-// Sine and cosine of an edge as turnPair wants them: leading 12 bits, and rest.
+// Sine and cosine of an edge as rotatePair wants them: leading 12 bits, and rest.
 vec4 splitEdge(const vec4 edge) {
     real sine = leadingBits(edge.x);
     real cosine = leadingBits(edge.y);
@@ -48,7 +48,7 @@ struct View {
 // west, north: of splitEdge.
 View viewFrom(const vec4 west, const vec4 north, const Pair base, const Pair x, const Pair y, const Pair z) {
     View view;
-    Turned around = turnPair(x, z, west);
+    Rotated around = rotatePair(x, z, west);
     real along = around.second.hi + around.second.lo;
     view.place = vec2(around.first, along);
     // rho = along + across^2 / (along + rho): the small part apart. Beside or behind the axis, where an anchor can lie, the
@@ -58,7 +58,7 @@ View viewFrom(const vec4 west, const vec4 north, const Pair base, const Pair x, 
     real beyond = around.first * around.first / max(view.rho + along, kTiny);
     precise real rho_rest = (around.second.lo + beyond);
     Pair rho_pair = makePair(beside ? view.rho : around.second.hi, beside ? real(0) : rho_rest);
-    Turned down = turnPair(rho_pair, y, north);
+    Rotated down = rotatePair(rho_pair, y, north);
     real toward = down.second.hi + down.second.lo;
     view.slant = vec2(down.first, toward);
     view.radius = sqrt(toward * toward + down.first * down.first);
@@ -70,13 +70,13 @@ View viewFrom(const vec4 west, const vec4 north, const Pair base, const Pair x, 
 
 // The frame of the cell that the ray is in at s, anchored near it. On the axis all columns meet, and the longitude jumps:
 // the column is then the one that the ray leaves to. Leaves often start there: cells of the cube map meet at the poles.
-Frame makeFrame(const Ray ray, const MapData map, const Pair base, const real s) {
-    Frame frame;
+CellFrame makeFrame(const Ray ray, const MapData map, const Pair base, const real s) {
+    CellFrame frame;
     Anchor anchor = anchorAt(ray, s);
     frame.anchor = anchor;
     vec3 p = vec3(anchor.x.hi, anchor.y.hi, anchor.z.hi);
     vec3 at = ray.c + s * ray.d;  // the anchor may lie in another cell
-    frame.cell = locateCell(map, isOnAxis(at, ray.d) ? vec3(kTurnAside * ray.d.x, at.y, kTurnAside * ray.d.z) : at);
+    frame.cell = locateCell(map, isOnAxis(at, ray.d) ? vec3(kAsideOfAxis * ray.d.x, at.y, kAsideOfAxis * ray.d.z) : at);
     vec4 west = splitEdge(edgesAt(frame.cell.x, map.edges_y));
     vec4 north = splitEdge(edgesAt(frame.cell.y, map.edges_y + 1));
     View view = viewFrom(west, north, base, anchor.x, anchor.y, anchor.z);
@@ -101,7 +101,7 @@ struct Local {
     real rho, grown;  // rho and |p| - radius of the anchor
 };
 
-Local localAt(const Frame frame, const real d_y, const real sigma) {
+Local localAt(const CellFrame frame, const real d_y, const real sigma) {
     Local local;
     local.place = frame.place + sigma * frame.place_d;
     local.rho = length(local.place);
@@ -115,7 +115,7 @@ Local localAt(const Frame frame, const real d_y, const real sigma) {
 }
 
 // Clamped to the cell, which continues the surface by a constant where rounding puts a crossing beside an edge.
-PatchPoint patchPoint(const MapData map, const Patch quad, const Frame frame, const Local local) {
+PatchPoint patchPoint(const MapData map, const Patch quad, const CellFrame frame, const Local local) {
     real tan_u = clamp(local.place.x / max(local.place.y, kTiny), real(0), real(map.tan_width));
     real tan_v = clamp(local.slant.x / max(local.slant.y, kTiny), real(0), real(map.tan_height));
     PatchPoint at;
@@ -127,47 +127,47 @@ PatchPoint patchPoint(const MapData map, const Patch quad, const Frame frame, co
 }
 
 // Steps over the east (or west) edge.
-void turnEast(INOUT(Frame) frame, const MapData map, const bool east) {
+void stepEast(INOUT(CellFrame) frame, const MapData map, const bool east) {
     real sine = east ? real(map.sin_width) : -real(map.sin_width);
-    frame.place = turnSmall(frame.place, sine, real(map.versin_width));
-    frame.place_d = turnSmall(frame.place_d, sine, real(map.versin_width));
+    frame.place = rotateSmall(frame.place, sine, real(map.versin_width));
+    frame.place_d = rotateSmall(frame.place_d, sine, real(map.versin_width));
     frame.cell.x = wrapColumn(frame.cell.x + (east ? 1 : -1), map.width);
 }
 
 // Whether the ray at sigma stands behind the edge that it comes from, going east (or west).
-bool behindColumn(const Frame frame, const MapData map, const bool east, const real sigma) {
+bool behindColumn(const CellFrame frame, const MapData map, const bool east, const real sigma) {
     vec2 place = frame.place + sigma * frame.place_d;
-    return east ? place.x < real(0) : turnSmall(place, real(map.sin_width), real(map.versin_width)).x > real(0);
+    return east ? place.x < real(0) : rotateSmall(place, real(map.sin_width), real(map.versin_width)).x > real(0);
 }
 
 // Sine and versine of the height of a row of cells.
-vec2 rowTurn(const MapData map, const int row) {
+vec2 rowRotation(const MapData map, const int row) {
     bool pole = isPoleRow(map, row);
     return vec2(pole ? real(map.sin_cap) : real(map.sin_height), pole ? real(map.versin_cap) : real(map.versin_height));
 }
 
 // Steps over the south (or north) edge; the edge's own angle grows by the height of the row between.
-void turnSouth(INOUT(Frame) frame, const MapData map, const bool south) {
-    vec2 turn = rowTurn(map, south ? frame.cell.y : frame.cell.y - 1);
-    real sine = south ? turn.x : -turn.x;
-    frame.slant = turnSmall(frame.slant, sine, turn.y);
-    vec2 cosine_sine = turnSmall(vec2(frame.edge.y, frame.edge.x), sine, turn.y);
+void stepSouth(INOUT(CellFrame) frame, const MapData map, const bool south) {
+    vec2 rotation = rowRotation(map, south ? frame.cell.y : frame.cell.y - 1);
+    real sine = south ? rotation.x : -rotation.x;
+    frame.slant = rotateSmall(frame.slant, sine, rotation.y);
+    vec2 cosine_sine = rotateSmall(vec2(frame.edge.y, frame.edge.x), sine, rotation.y);
     frame.edge = vec2(cosine_sine.y, cosine_sine.x);
     frame.cell.y += south ? 1 : -1;
 }
 
 // The cell was found from rounded coordinates: near the axis that can be columns off, and elsewhere a row, beyond an edge
 // that the ray then never comes to. Steps back to the cell that the frame's own coordinates say.
-void settleCell(INOUT(Frame) frame, const MapData map, const bool east, const bool on_axis, const real d_y,
+void settleCell(INOUT(CellFrame) frame, const MapData map, const bool east, const bool on_axis, const real d_y,
                 const real sigma) {
     int left = on_axis ? 0 : map.width;
     while (left > 0 && behindColumn(frame, map, east, sigma)) {
-        turnEast(frame, map, !east);
+        stepEast(frame, map, !east);
         left -= 1;
     }
     vec2 slant = localAt(frame, d_y, sigma).slant;
-    vec2 turn = rowTurn(map, frame.cell.y);
+    vec2 rotation = rowRotation(map, frame.cell.y);
     bool north = slant.x < real(0) && frame.cell.y > 0;
-    bool south = turnSmall(slant, turn.x, turn.y).x > real(0) && frame.cell.y < map.rows - 1;
-    if (north || south) turnSouth(frame, map, south);
+    bool south = rotateSmall(slant, rotation.x, rotation.y).x > real(0) && frame.cell.y < map.rows - 1;
+    if (north || south) stepSouth(frame, map, south);
 }

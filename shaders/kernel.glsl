@@ -67,7 +67,7 @@ void putGeometry(const ivec2 pixel, const SurfacePoint point) {
 // A pixel of the film that an invocation is to do, if it `exists`.
 struct Task {
     ivec2 pixel;
-    real clear;  // RetryPixel::clear
+    real safe_s;  // RetryPixel::safe_s
     bool exists;
 };
 
@@ -75,7 +75,7 @@ Task findRetryTask() {
     Task task;
     RetryPixel found = findRetry(task.exists);
     task.pixel = ivec2(found.pixel & 0xffffu, found.pixel >> 16);
-    task.clear = found.clear;
+    task.safe_s = found.safe_s;
     return task;
 }
 
@@ -88,7 +88,7 @@ Task findTask(const int n) {
     ivec2 block = ivec2(int(gl_WorkGroupID.x) * kTasks + n, int(gl_WorkGroupID.y));
     Task task;
     task.pixel = ivec2(params.tile_x, params.tile_y) + block * ivec2(GROUP_SIZE_X, GROUP_SIZE_Y) + within;
-    task.clear = -kInfinity;
+    task.safe_s = -kInfinity;
     task.exists = all(lessThan(task.pixel, ivec2(params.tile_x1, params.tile_y1)));
     if (kListed != 0) {
         uint pixel = findListed(task.exists);
@@ -101,8 +101,8 @@ uint pixelBits(const ivec2 pixel) {
     return uint(pixel.x) | uint(pixel.y) << 16;
 }
 
-void leaveForRetry(const ivec2 pixel, const real clear) {
-    leaveForRetry(pixelBits(pixel), clear);
+void leaveForRetry(const ivec2 pixel, const real safe_s) {
+    leaveForRetry(pixelBits(pixel), safe_s);
 }
 
 // Film planes of a pixel whose ray, or another that it needs, is in doubt are left to the other precision.
@@ -115,7 +115,7 @@ void finish(const Task task, const Gathered gathered, const int sample_index) {
     }
     countGivenUp();
     if (gathered.searches.doubtful) {
-        leaveForRetry(task.pixel, gathered.point.clear);
+        leaveForRetry(task.pixel, gathered.point.safe_s);
         return;
     }
     putGeometry(task.pixel, gathered.point);

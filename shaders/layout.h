@@ -31,7 +31,7 @@ using uint = std::uint32_t;
 // images' texels (disk: their distances).
 #define BINDING_EDGES 9
 #define BINDING_IMAGES 10   // r32ui array: the colour images' texels
-#define BINDING_NODES 11    // rgba32f array: a spline's value, slopes east and south, and twist at the nodes
+#define BINDING_SPLINE_NODES 11    // rgba32f array: a spline's value, slopes east and south, and twist at the nodes
 #define BINDING_TILES 12    // r32ui array: the heights of maps in tiles, and where their tiles lie
 #define BINDING_FILM 13     // r32ui array: one layer a plane (probe.comp: the rays)
 #define BINDING_HITS 14     // probe.comp: the answers
@@ -160,8 +160,8 @@ using uint = std::uint32_t;
 #define MAX_STEPS 96000
 #define MAX_MARCHES 640  // shapes times (lights + 1)
 // An invocation whose searches took more takes no further pixel. A back-edge through a cell is 4 steps.
-#define TURN_STEPS 12000
-// Back-edges of an invocation's turns outside of marches: through objects, triangles, vertices.
+#define NEXT_PIXEL_STEPS 12000
+// Back-edges of an invocation's loops outside of marches: through objects, triangles, vertices.
 #define TURN_LOOPS 16384
 
 #define MAX_OBJECTS 64
@@ -288,10 +288,10 @@ struct RetryHead {
     uint given_up;  // pixels of whose searches one was ended by MAX_STEPS, in this list's pass
 };
 
-// A pixel of the list: x and y in 16 bits each, and SurfacePoint::clear of its camera ray. query.comp: a ray's index.
+// A pixel of the list: x and y in 16 bits each, and SurfacePoint::safe_s of its camera ray. query.comp: a ray's index.
 struct RetryPixel {
     uint pixel;
-    float clear;
+    float safe_s;
 };
 
 // The head of the list of pixels (query.comp: rays) that met a tile which is not on the device; the list follows, and

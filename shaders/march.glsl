@@ -3,10 +3,10 @@
 // cells there and finds the first root along each chord; refine polishes it. Object space, units of R. Expects walk.glsl
 // and the resource functions faceRow(map, axis, sign) and boundAt(map, face_row, side, i, j).
 
-// Loops whose turns differ from ray to ray, here and elsewhere, test their limit at the start and their end at the end: rule L1
+// Loops whose iterations differ from ray to ray, here and elsewhere, test their limit at the start and their end at the end: rule L1
 // of docs/design.md. A test for the end at the start would run the body once more on lavapipe, which goes on until no lane is
 // left. With a test at the end alone, lanes that left early would read what the body computes later: Mesa 22.3 masks what it
-// keeps from turn to turn and what meets behind several exits, but no other values.
+// keeps from one iteration to the next and what meets behind several exits, but no other values.
 
 // A line in the gnomonic coordinates of one cube face: a = (ca + s da) / (cm + s dm), b likewise. Face axis k = 0, 1, 2
 // (+ sign), a on axis k + 1, b on axis k + 2, each mirrored so that it grows along the line.
@@ -150,8 +150,8 @@ bool startCursor(INOUT(Cursor) at, const Ray ray, const MapData map, const real 
 }
 
 // Searches the whole ray; walk.hit, .inside, .frame and .sigma tell the answer, to be refined.
-Walk march(const Ray ray, const MapData map, const Pair base, const real scale, const real shell_squared) {
-    Walk walk;
+ExactWalk march(const Ray ray, const MapData map, const Pair base, const real scale, const real shell_squared) {
+    ExactWalk walk;
     walk.hit = false;
     walk.inside = false;
     Cursor at;
@@ -172,7 +172,7 @@ Walk march(const Ray ray, const MapData map, const Pair base, const real scale, 
         if (at.leaf) {
             walk = startWalk(ray, map, plan, base, at.s, at.leaf_end);
             while (steps < MAX_STEPS) {
-                walkStep(walk, plan, ray, map, scale);
+                exactStep(walk, plan, ray, map, scale);
                 steps += 4;
                 if (!walk.going || missesTile()) break;
             }

@@ -55,10 +55,10 @@ void putLook(const uint index, const SurfacePoint point, const vec3 colour) {
     looks[index] = look;
 }
 
-// An invocation's ray of the list, if it `exists`; nothing is met up to `clear`.
+// An invocation's ray of the list, if it `exists`; nothing is met up to `safe_s`.
 struct Place {
     uint index;
-    float clear;
+    float safe_s;
     bool exists;
 };
 
@@ -67,12 +67,12 @@ Place findPlace() {
     if (kIsRetry) {
         RetryPixel found = findRetry(place.exists);
         place.index = found.pixel;
-        place.clear = found.clear;
+        place.safe_s = found.safe_s;
         return place;
     }
     place.index = gl_GlobalInvocationID.x;
     place.exists = place.index < params.count;
-    place.clear = -kInfinity;
+    place.safe_s = -kInfinity;
     if (kListed != 0) place.index = findListed(place.exists);
     return place;
 }
@@ -82,7 +82,7 @@ void main() {
     Place place = findPlace();
     if (!place.exists) return;
     uint index = place.index;
-    Segment segment = listedSegment(index, place.clear);
+    Segment segment = listedSegment(index, place.safe_s);
     uint number = uint(listedRay(segment, 0).direction_lo.w);  // in the caller's order
     Gathered result = gatherListed(segment, pixelKey(int(params.first + number), 0, params.seed));
     if (missesTile()) {
@@ -90,7 +90,7 @@ void main() {
         return;
     }
     if (result.searches.doubtful) {
-        leaveForRetry(index, result.point.clear);
+        leaveForRetry(index, result.point.safe_s);
         return;
     }
     put(index, result.point, result.lit);

@@ -56,6 +56,6 @@ layout(binding = BINDING_EDGES, rgba32f) readonly uniform image2DArray edges;
 layout(binding = BINDING_IMAGES, r32ui) readonly uniform uimage2DArray images;
 layout(binding = BINDING_TILES, r32ui) readonly uniform uimage2DArray tiles;
 
-layout(binding = BINDING_NODES, rgba32f) readonly uniform image2DArray nodes;
+layout(binding = BINDING_SPLINE_NODES, rgba32f) readonly uniform image2DArray nodes;
 
 #include "marcher.glsl"

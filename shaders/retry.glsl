@@ -10,15 +10,15 @@ RetryPixel findRetry(OUT(bool) exists) {
     exists = gl_LocalInvocationIndex % kRetryStride == 0u && index < retry.count;
     RetryPixel found;
     found.pixel = 0u;
-    found.clear = real(0);
+    found.safe_s = real(0);
     if (exists) found = retry_pixels[index];
     return found;
 }
 
-void leaveForRetry(const uint pixel, const real clear) {
+void leaveForRetry(const uint pixel, const real safe_s) {
     uint place = atomicAdd(retry.count, 1u);
     retry_pixels[place].pixel = pixel;
-    retry_pixels[place].clear = clear;
+    retry_pixels[place].safe_s = safe_s;
     uint group = place / kRetryGroup;
     bool opens_group = place % kRetryGroup == 0u;
     bool in_first_row = group < RETRY_ROW;

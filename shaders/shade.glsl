@@ -6,7 +6,7 @@ struct SurfacePoint {
     bool hit, inside, exhausted, doubtful;
     int object, steps;
     int level;  // of detail that its map was marched at
-    real clear;  // of a scene's only object: ObjectHit::clear
+    real safe_s;  // of a scene's only object: ObjectHit::safe_s
     real t;
     vec3 from_first;  // position seen from object 0's centre
     vec3 position, normal;
@@ -93,7 +93,7 @@ MapData mapOf(const int k, const int kinds, const int level) {
 struct Segment {
     uint index;           // of a list's ray
     vec2 raster, jitter;  // of a camera's: through a place of the picture
-    real clear;  // of a first ray with a scene's only object: up to this s nothing is met
+    real safe_s;  // of a first ray with a scene's only object: up to this s nothing is met
     bool camera;          // or of the list; the rest is of other rays
     int object, level;    // that it starts on, and of whose detail
     vec3 start;           // P', in that object's space
@@ -102,12 +102,12 @@ struct Segment {
 };
 
 // A ray that starts on no surface, but for where it runs.
-Segment firstSegment(const real clear) {
+Segment firstSegment(const real safe_s) {
     Segment segment;
     segment.index = 0u;
     segment.raster = vec2(real(0));
     segment.jitter = vec2(real(0));
-    segment.clear = clear;
+    segment.safe_s = safe_s;
     segment.camera = true;
     segment.object = 0;
     segment.level = 0;
@@ -136,8 +136,8 @@ Ray segmentRay(const Segment segment, const int k, const ObjectData object) {
 // A retried first ray starts where the filter's certainty ended.
 void startClear(INOUT(Ray) ray, const Segment segment) {
     if (!kIsRetry) return;
-    if (kObjectCount == 1 && segment.clear > ray.s_min) {
-        ray.s_min = segment.clear;
+    if (kObjectCount == 1 && segment.safe_s > ray.s_min) {
+        ray.s_min = segment.safe_s;
         ray.may_start_inside = false;
     }
 }
@@ -165,8 +165,8 @@ vec3 segmentStart(const Segment segment) {
     return firstStart(segment);
 }
 
-// A bit an object: displaced spheres that a ray may meet. The loop that marches through them has a turn for each that
-// some ray of a group may meet, and none for the other objects: most groups take one turn or none.
+// A bit an object: displaced spheres that a ray may meet. The loop that marches through them has an iteration for each that
+// some ray of a group may meet, and none for the other objects: most groups take one or none.
 struct Candidates {
     uint low, high;
 };
@@ -226,7 +226,7 @@ void considerObject(INOUT(SurfacePoint) best, const int k, const Segment segment
     best.steps += hit.steps;
     best.exhausted = best.exhausted || hit.exhausted;
     best.doubtful = best.doubtful || hit.doubtful;
-    if (kObjectCount == 1) best.clear = hit.clear;
+    if (kObjectCount == 1) best.safe_s = hit.safe_s;
     vec3 from_first = fromCentre(object, hit.p) + XYZ(object.from_first);
     vec3 towards = towardsHit(segment, k, object, hit.p, from_first);
     real t = hit.inside ? real(0) : length(towards);
@@ -260,10 +260,10 @@ SurfacePoint nearestHit(const Segment segment) {
     best.object = -1;
     best.steps = 0;
     best.level = 0;
-    best.clear = -kInfinity;
+    best.safe_s = -kInfinity;
     best.ramp = -1;  // so that it is not the object's alone (rule L2)
     best.t = kInfinity;
-    // Not even a loop of one turn is free: it stands between the driver and what it could do once (rule L3).
+    // Not even a loop of one iteration is free: it stands between the driver and what it could do once (rule L3).
     if (kObjectCount == 1) {
         considerObject(best, 0, segment, ~0);
         return best;

@@ -1,4 +1,4 @@
-// Walk of the map's cells under one leaf of the bounds, and the refined hit. Expects frame.glsl.
+// ExactWalk of the map's cells under one leaf of the bounds, and the refined hit. Expects frame.glsl.
 
 // A chord of this share of the distance to the axis (or the centre) is a parabola within 1e-8 of the surface.
 const real kChordShare = real(0.0125);
@@ -11,7 +11,7 @@ const real kTrust = real(3e-8);
 // What does not change along a ray through the map's cells.
 struct WalkPlan {
     bool east;         // longitude grows along the ray
-    real s_turn;       // where the latitude is extreme
+    real s_extreme;       // where the latitude is extreme
     real across_axis;  // share of d across the axis: how fast the ray can approach it
 };
 
@@ -21,19 +21,19 @@ real acrossAxis(const vec3 d) {
 
 WalkPlan planWalk(const Ray ray) {
     WalkPlan plan;
-    precise real turn = ray.c.z * ray.d.x - ray.c.x * ray.d.z;
-    plan.east = turn > real(0);
+    precise real moment = ray.c.z * ray.d.x - ray.c.x * ray.d.z;
+    plan.east = moment > real(0);
     real rise = ray.d.y * ray.c2;
-    plan.s_turn = ray.c.y != real(0) ? clamp(rise / ray.c.y, -kInfinity, kInfinity)
+    plan.s_extreme = ray.c.y != real(0) ? clamp(rise / ray.c.y, -kInfinity, kInfinity)
                                      : (rise > real(0) ? kInfinity : -kInfinity);
     plan.across_axis = acrossAxis(ray.d);
     return plan;
 }
 
 // Where the ray meets the meridian plane of the edge that lies ahead of it: linear in sigma.
-real meridianCrossing(const Frame frame, const MapData map, const bool east, const real sigma) {
-    vec2 start = east ? turnSmall(frame.place, real(map.sin_width), real(map.versin_width)) : -frame.place;
-    vec2 rate = east ? turnSmall(frame.place_d, real(map.sin_width), real(map.versin_width)) : -frame.place_d;
+real meridianCrossing(const CellFrame frame, const MapData map, const bool east, const real sigma) {
+    vec2 start = east ? rotateSmall(frame.place, real(map.sin_width), real(map.versin_width)) : -frame.place;
+    vec2 rate = east ? rotateSmall(frame.place_d, real(map.sin_width), real(map.versin_width)) : -frame.place_d;
     return rate.x > real(0) ? max(sigma, -start.x / rate.x) : kInfinity;
 }
 
@@ -69,16 +69,16 @@ real stepToRoot(const real a, const real b, const real c, const bool rising) {
 
 // The same in the frame: the cone of the rounded ray, then one step on the edge's own small coordinate as a parabola. A
 // Newton step, which has no second derivative, goes astray where the ray is about to touch the cone.
-real parallelCrossing(const Frame frame, const Ray ray, const MapData map, const bool south, const Local here,
+real parallelCrossing(const CellFrame frame, const Ray ray, const MapData map, const bool south, const Local here,
                       const real sigma) {
-    vec2 turn = south ? rowTurn(map, frame.cell.y) : vec2(real(0));
-    real beyond_here = turnSmall(here.slant, turn.x, turn.y).x;
+    vec2 rotation = south ? rowRotation(map, frame.cell.y) : vec2(real(0));
+    real beyond_here = rotateSmall(here.slant, rotation.x, rotation.y).x;
     if (south ? beyond_here > real(0) : beyond_here < real(0)) return sigma;
-    vec2 cosine_sine = turnSmall(vec2(frame.edge.y, frame.edge.x), turn.x, turn.y);
+    vec2 cosine_sine = rotateSmall(vec2(frame.edge.y, frame.edge.x), rotation.x, rotation.y);
     real crossing = coneCrossing(ray, cosine_sine.x, south, frame.anchor.s + sigma) - frame.anchor.s;
     if (!(crossing < real(1))) return kInfinity;
     Local local = localAt(frame, ray.d.y, crossing);
-    real beyond = turnSmall(local.slant, turn.x, turn.y).x;
+    real beyond = rotateSmall(local.slant, rotation.x, rotation.y).x;
     real rho = max(local.rho, kTiny);
     real outward = (frame.rate_rho + crossing * frame.d_across2) / rho;
     real rate = outward * cosine_sine.x - ray.d.y * cosine_sine.y;
@@ -101,9 +101,9 @@ Chord makeChord(const real g, const real slope, const real bend, const real cubi
     chord.slope = slope;
     chord.bend = bend;
     real end = g + slope + bend;
-    real turn = real(-0.5) * slope;  // times 1 / bend
-    bool dips = slope < real(0) && turn < bend;
-    chord.lowest = dips ? g + real(0.5) * slope * turn / bend : end;
+    real vertex = real(-0.5) * slope;  // times 1 / bend
+    bool dips = slope < real(0) && vertex < bend;
+    chord.lowest = dips ? g + real(0.5) * slope * vertex / bend : end;
     chord.miss = real(0.05) * abs(cubic) + real(0.1) * abs(quartic);
     return chord;
 }
@@ -115,21 +115,21 @@ real parabolaRoot(const vec3 parabola) {
     return clamp(firstRoot(parabola.x, parabola.y, parabola.z), real(0), real(1));
 }
 
-struct Walk {
+struct ExactWalk {
     bool hit, inside, going, exhausted;
     bool first;       // at the leaf's first chord
     bool at_start;    // where the ray itself starts
-    Frame frame;
+    CellFrame frame;
     real sigma, end;  // where the walk stands, and ends; after a hit, sigma is the root
-    real turn;        // sigma where the latitude is extreme
+    real extreme;     // sigma where the latitude is extreme
     real low, high;   // ends of the chord that holds the root
     real longest;     // chord length limit: halved where a parabola was unsure
     int steps;        // height and bound fetches of the whole march
 };
 
 // The ray is below the leaf's bound on [s, s_end].
-Walk startWalk(const Ray ray, const MapData map, const WalkPlan plan, const Pair base, const real s, const real s_end) {
-    Walk walk;
+ExactWalk startWalk(const Ray ray, const MapData map, const WalkPlan plan, const Pair base, const real s, const real s_end) {
+    ExactWalk walk;
     walk.frame = makeFrame(ray, map, base, s);
     walk.hit = false;
     walk.inside = false;
@@ -139,17 +139,17 @@ Walk startWalk(const Ray ray, const MapData map, const WalkPlan plan, const Pair
     walk.sigma = s - walk.frame.anchor.s;
     settleCell(walk.frame, map, plan.east, isOnAxis(ray.c + s * ray.d, ray.d), ray.d.y, walk.sigma);
     walk.end = s_end - walk.frame.anchor.s;
-    walk.turn = plan.s_turn - walk.frame.anchor.s;
+    walk.extreme = plan.s_extreme - walk.frame.anchor.s;
     walk.low = walk.sigma;
     walk.high = walk.end;
     walk.longest = kInfinity;
     return walk;
 }
 
-void walkStep(INOUT(Walk) walk, const WalkPlan plan, const Ray ray, const MapData map, const real scale) {
-    Frame frame = walk.frame;
+void exactStep(INOUT(ExactWalk) walk, const WalkPlan plan, const Ray ray, const MapData map, const real scale) {
+    CellFrame frame = walk.frame;
     Patch quad = fetchPatch(map, scale, frame.cell);
-    bool before = walk.sigma < walk.turn;
+    bool before = walk.sigma < walk.extreme;
     bool south = before != (ray.c.y >= real(0));
     bool pole_edge = south ? frame.cell.y == map.rows - 1 : frame.cell.y == 0;
     real to_u = meridianCrossing(frame, map, plan.east, walk.sigma);
@@ -160,7 +160,7 @@ void walkStep(INOUT(Walk) walk, const WalkPlan plan, const Ray ray, const MapDat
     real sideways = max(kChordShare * here.rho, kShortestChord) / plan.across_axis;
     real limit = min(min(sideways, kChordShare * frame.radius), walk.longest);
     real far = min(min(to_u, to_v), min(walk.end, walk.sigma + max(limit, kShortestChord)));
-    far = before ? min(far, walk.turn) : far;
+    far = before ? min(far, walk.extreme) : far;
     PatchPoint start = patchPoint(map, quad, frame, here);
     PatchPoint middle = patchPoint(map, quad, frame, localAt(frame, ray.d.y, real(0.5) * (walk.sigma + far)));
     PatchPoint end = patchPoint(map, quad, frame, localAt(frame, ray.d.y, far));
@@ -183,8 +183,8 @@ void walkStep(INOUT(Walk) walk, const WalkPlan plan, const Ray ray, const MapDat
     } else if (!halve) {
         walk.sigma = far;
         walk.first = false;
-        if (to_u <= far) turnEast(walk.frame, map, plan.east);
-        if (to_v <= far) turnSouth(walk.frame, map, south);
+        if (to_u <= far) stepEast(walk.frame, map, plan.east);
+        if (to_v <= far) stepSouth(walk.frame, map, south);
     }
 }
 
@@ -195,7 +195,7 @@ struct Crossing {
 };
 
 // Newton on the true f, kept inside the chord; its last gradient is the normal's direction.
-Crossing refine(const Ray ray, const MapData map, const real scale, const Walk walk) {
+Crossing refine(const Ray ray, const MapData map, const real scale, const ExactWalk walk) {
     Patch quad = fetchPatch(map, scale, walk.frame.cell);
     Crossing crossing;
     real sigma = walk.sigma;

@@ -23,9 +23,9 @@ Chord curvedChord(const Patch quad, const vec3 start, const vec3 slope, const ve
     real bend_g = real(2) * (g_start + g_end - real(2) * g_middle);
     Bends bends = patchBends(quad);
     vec2 rate = vec2(slope.x, slope.y);
-    vec2 turn = vec2(bend.x, bend.y);
-    band = kDoubt * steepestAlong(quad, bends, middle, real(0.5) * abs(rate) + abs(turn), steepness);
-    return makeCurvedChord(g_start, g_end - g_start - bend_g, bend_g, chordTwist(bends, rate, turn));
+    vec2 bending = vec2(bend.x, bend.y);
+    band = kDoubt * steepestAlong(quad, bends, middle, real(0.5) * abs(rate) + abs(bending), steepness);
+    return makeCurvedChord(g_start, g_end - g_start - bend_g, bend_g, chordTwist(bends, rate, bending));
 }
 
 // Whether g falls all along the chord and ends below the band: then its one root is the first. Steeply enough that the
@@ -35,13 +35,13 @@ bool fallsThrough(const Chord chord, const real band) {
     return chord.g + chord.slope + chord.bend < -band && steepest_rise < real(-100) * chord.miss;
 }
 
-void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, const real scale,
+void filterStep(INOUT(FilterWalk) walk, const Piece piece, const MapData map, const real scale,
                 const bool may_be_inside) {
-    Patch quad = fetchPatch(map, scale, wrappedCell(stroll, map));
-    real height = rowHeight(map, stroll.cell.y);
+    Patch quad = fetchPatch(map, scale, wrappedCell(walk, map));
+    real height = rowHeight(map, walk.cell.y);
     real rows_per_height = height < real(1) ? real(2) : real(1);
-    Reach reach = reachOf(stroll, piece, map, height);
-    real by = lesser(lesser(lesser(reach.to_u.by, reach.to_v.by), real(1) - stroll.x), stroll.longest);
+    Reach reach = reachOf(walk, piece, map, height);
+    real by = lesser(lesser(lesser(reach.to_u.by, reach.to_v.by), real(1) - walk.x), walk.longest);
 
     vec3 per_place = vec3(real(1), rows_per_height, real(1));
     vec2 steepness = vec2(piece.steepness.x, piece.steepness.y * rows_per_height);
@@ -56,11 +56,11 @@ void strollStep(INOUT(Stroll) stroll, const Piece piece, const MapData map, cons
     // Written so that any NaN is a doubt.
     bool free = chord.lowest > wide && chord.g > real(0);
     bool halve = !inside && !falls && !free && !narrow;
-    bool goes_on = halve || by < real(1) - stroll.x;
-    stroll.verdict = inside ? kInside : (falls ? kHit : (!free && narrow ? kDoubtful : (goes_on ? kGoing : kFree)));
-    stroll.by = by;
-    stroll.parabola = vec3(chord.g, chord.slope, chord.bend);
+    bool goes_on = halve || by < real(1) - walk.x;
+    walk.verdict = inside ? kInside : (falls ? kHit : (!free && narrow ? kDoubtful : (goes_on ? kGoing : kFree)));
+    walk.by = by;
+    walk.parabola = vec3(chord.g, chord.slope, chord.bend);
     // The limit that was not too long is doubled, not the chord, which an edge may have cut to nothing.
-    stroll.longest = halve ? real(0.5) * by : real(2) * stroll.longest;
-    if (stroll.verdict == kGoing && !halve) strollOn(stroll, reach);
+    walk.longest = halve ? real(0.5) * by : real(2) * walk.longest;
+    if (walk.verdict == kGoing && !halve) walkOn(walk, reach);
 }

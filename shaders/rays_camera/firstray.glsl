@@ -1,7 +1,7 @@
 // First rays of the camera, see objects.glsl.
 
-Segment cameraSegment(const vec2 raster, const vec2 jitter, const real clear) {
-    Segment segment = firstSegment(clear);
+Segment cameraSegment(const vec2 raster, const vec2 jitter, const real safe_s) {
+    Segment segment = firstSegment(safe_s);
     segment.raster = raster;
     segment.jitter = jitter;
     return segment;

@@ -1,8 +1,8 @@
 // First rays of a list: the host has put each into the space of every object, in double.
 layout(std430, binding = BINDING_FILM) readonly buffer Rays { QueryRay rays[]; };
 
-Segment listedSegment(const uint index, const float clear) {
-    Segment segment = firstSegment(clear);
+Segment listedSegment(const uint index, const float safe_s) {
+    Segment segment = firstSegment(safe_s);
     segment.index = index;
     return segment;
 }

@@ -8,6 +8,6 @@ void main() {
     ivec2 raster = rasterOf(task);
     vec2 jitter = vec2(real(0));
     if (kWantsColour && sample_index >= 0) jitter = samplePosition(raster.x, raster.y, sample_index, params.seed);
-    Gathered result = gatherDirect(cameraSegment(vec2(raster), jitter, task.clear));
+    Gathered result = gatherDirect(cameraSegment(vec2(raster), jitter, task.safe_s));
     finish(task, result, sample_index);
 }

@@ -135,10 +135,10 @@ LightSample sampleEnvironment(const LightData light, const vec2 u) {
     texel.x = findCell(row_table, light.width, u.x);
     vec2 place = (vec2(texel) + vec2(withinCell(row_table, texel.x, u.x), withinCell(light.table, texel.y, u.y))) /
                  vec2(light.width, light.height);
-    real turn = real(2) * kPi * place.x;
+    real azimuth = real(2) * kPi * place.x;
     real polar = kPi * place.y;
     real sine = sin(polar);
-    vec3 local = vec3(cos(turn) * sine, sin(turn) * sine, cos(polar));
+    vec3 local = vec3(cos(azimuth) * sine, sin(azimuth) * sine, cos(polar));
     LightSample result;
     result.ends = false;
     result.place = local.x * XYZ(light.x_axis) + local.y * XYZ(light.y_axis) + local.z * XYZ(light.z_axis);
@@ -180,8 +180,8 @@ Emission infiniteEmission(const LightData light, const vec3 normal, const vec3 d
     }
     vec3 local = vec3(dot(XYZ(light.x_axis), direction), dot(XYZ(light.y_axis), direction), dot(XYZ(light.z_axis), direction));
     real sine = length(XY(local));
-    real turn = atan2Precise(local.y, local.x) / (real(2) * kPi);
-    vec2 place = vec2(turn < real(0) ? turn + real(1) : turn, atan2Precise(sine, local.z) / kPi);
+    real u = atan2Precise(local.y, local.x) / (real(2) * kPi);
+    vec2 place = vec2(u < real(0) ? u + real(1) : u, atan2Precise(sine, local.z) / kPi);
     ivec2 texel = min(ivec2(place * vec2(light.width, light.height)), ivec2(light.width - 1, light.height - 1));
     result.radiance = environmentAt(light, place);
     result.density = environmentDensity(light, texel, sine);

@@ -14,12 +14,12 @@ Path pathOf(const Task task, const int sample_index) {
     numbers.key = pixelKey(raster.x, raster.y, params.seed);
     numbers.index = max(sample_index, 0);
     vec2 jitter = sample_index < 0 ? vec2(real(0)) : filterPlace(numbersAt(numbers, 0, 0u));
-    return startPath(cameraSegment(vec2(raster), jitter, task.clear), numbers, task.exists);
+    return startPath(cameraSegment(vec2(raster), jitter, task.safe_s), numbers, task.exists);
 }
 
 // All invocations of a SIMD group pay for the longest of their paths. So each takes its next pixel as soon as a path
 // ends, and they come out even. What an invocation that has had long searches has not begun goes to the retry: the group's
-// loops together have a limit of turns, see layout.h.
+// loops together have a limit of iterations, see layout.h.
 void main() {
     readUniforms();
     Task task = findTask(0);
@@ -27,7 +27,7 @@ void main() {
     Rules rules = rulesOf(sample_index);
     Path path = pathOf(task, sample_index);
     int steps = 0;
-    int turn = 0;
+    int done = 0;
     for (int n = 0; n < kTasks * (kMaxDepth + 1); ++n) {
         if (path.going) {
             extendPath(path, rules);
@@ -36,15 +36,15 @@ void main() {
                 finish(task, resultOf(path, rules), sample_index);
             }
         }
-        if (!path.going) ++turn;
-        if (kTasks > 1 && !path.going && turn < kTasks) {
-            task = findTask(turn);
+        if (!path.going) ++done;
+        if (kTasks > 1 && !path.going && done < kTasks) {
+            task = findTask(done);
             path = pathOf(task, sample_index);
-            if (path.going && steps > TURN_STEPS) {
-                leaveForRetry(task.pixel, task.clear);
+            if (path.going && steps > NEXT_PIXEL_STEPS) {
+                leaveForRetry(task.pixel, task.safe_s);
                 path.going = false;
             }
         }
-        if (turn == kTasks) break;
+        if (done == kTasks) break;
     }
 }

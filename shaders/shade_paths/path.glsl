@@ -207,7 +207,7 @@ void reflectPath(INOUT(Path) path, const Vertex vertex) {
     path.departure.normal = vertex.point.normal;
     path.departure.from_camera_hit = n == 0;
     path.segment.camera = false;
-    path.segment.clear = -kInfinity;
+    path.segment.safe_s = -kInfinity;
     path.segment.object = vertex.point.object;
     path.segment.level = vertex.point.level;
     path.segment.start = vertex.point.start;

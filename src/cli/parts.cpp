@@ -225,7 +225,7 @@ Notices noticesOf(const std::vector<Part>& ordered) {
             warn(fmt::format("the parts were rendered by more than one {}: {}; their last bits may be those of none",
                              name, fmt::join(kinds, ", ")));
     }
-    // What an invocation leaves to the second pass depends on the pixels that it has: see TURN_STEPS.
+    // What an invocation leaves to the second pass depends on the pixels that it has: see NEXT_PIXEL_STEPS.
     const auto depends = std::ranges::find_if(ordered, [&](const Part& part) {
         return part.of.turns != ordered.front().of.turns ||
                (part.of.turns > 1 && !isAligned(part.data, part.of.picture));

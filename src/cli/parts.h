@@ -16,7 +16,7 @@ struct PartOf {
     Box picture;      ///< the whole picture's pixels
     int samples = 0;  ///< of the whole picture, a pixel
     int first = 0;    ///< of the part's own samples
-    int turns = 1;    ///< pixels that an invocation takes one after the other: see TURN_STEPS
+    int turns = 1;    ///< pixels that an invocation takes one after the other: see NEXT_PIXEL_STEPS
 
     bool operator==(const PartOf&) const = default;
 };

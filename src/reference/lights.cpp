@@ -2,7 +2,7 @@
 
 #include "base/overloads.h"
 #include "reference/analytic.h"
-#include "reference/frame.h"
+#include "reference/basis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,8 +54,8 @@ LightSample Lights::sampleBall(const AreaLight& light, const dvec3& point, const
     if (!(distance > from.radius)) return {};
     const double whole = coneHeight(from.radius, distance), height = u.x * whole;
     const double sin2 = height * (2.0 - height), across2 = from.radius * from.radius - distance * distance * sin2;
-    const Frame frame((from.centre - point) / distance);
-    return {.direction = frame.toWorld(polar(std::sqrt(sin2), 1.0 - height, u.y)),
+    const Basis basis((from.centre - point) / distance);
+    return {.direction = basis.toWorld(polar(std::sqrt(sin2), 1.0 - height, u.y)),
             .distance = distance * (1.0 - height) - std::sqrt(std::max(0.0, across2)),
             .weight = light.radiance * (2.0 * kPi * whole),
             .density = 1.0 / (2.0 * kPi * whole)};
@@ -82,7 +82,7 @@ LightSample Lights::sampleDisk(const AreaLight& light, const dvec3& point, const
 LightSample Lights::sampleSky(const InfiniteLight& light, const dvec3& g, const dvec2& u) const {
     if (!sky_) {
         const double cosine = std::sqrt(1.0 - u.x);
-        return {.direction = Frame(g).toWorld(polar(std::sqrt(u.x), cosine, u.y)),
+        return {.direction = Basis(g).toWorld(polar(std::sqrt(u.x), cosine, u.y)),
                 .distance = kFar,
                 .weight = light.radiance * (kPi / cosine),
                 .density = cosine / kPi};

@@ -2,7 +2,7 @@
 
 #include "base/parallel.h"
 #include "reference/camera.h"
-#include "reference/frame.h"
+#include "reference/basis.h"
 
 #include <array>
 #include <cmath>
@@ -54,7 +54,7 @@ dvec3 PathTracer::emitted(const WorldHit& hit, const Step& step) const {
 }
 
 dvec3 PathTracer::sampledLights(const ShadingPoint& point, const dvec3& start, Random& random) const {
-    const Frame frame(point.normals.smooth);
+    const Basis basis(point.normals.smooth);
     const Reflector& reflector = tracer_.reflector(point);
     const dvec3 colour = tracer_.reflectance(point.shape, point.object_position);
     dvec3 sum(0.0);
@@ -63,7 +63,7 @@ dvec3 PathTracer::sampledLights(const ShadingPoint& point, const dvec3& start, R
         if (sample.weight == dvec3(0.0)) continue;
         const dvec3 share = tracer_.reflected(point, sample.direction, colour) * sample.weight;
         if (share == dvec3(0.0) || !tracer_.seen(point, k, sample, start)) continue;
-        const double material = reflector.density(frame.toLocal(sample.direction), frame.toLocal(point.towards_viewer));
+        const double material = reflector.density(basis.toLocal(sample.direction), basis.toLocal(point.towards_viewer));
         sum += share * (isPath() && sample.density > 0.0 ? balance(sample.density, material) : 1.0);
     }
     return sum;
@@ -86,9 +86,9 @@ dvec3 PathTracer::sample(const dvec3& origin, const dvec3& direction, Random& ra
         if (!reflector.mirror() && !(isPath() && last)) sum += throughput * sampledLights(point, start, random);
         if (last || !(reflector.mirror() || isPath())) return sum;
 
-        const Frame frame(point.normals.smooth);
-        const dvec3 v = frame.toLocal(point.towards_viewer), l = reflector.sample(v, pairOf(random), uniform(random));
-        step = {.direction = glm::normalize(frame.toWorld(l)), .density = reflector.density(l, v), .from = point};
+        const Basis basis(point.normals.smooth);
+        const dvec3 v = basis.toLocal(point.towards_viewer), l = reflector.sample(v, pairOf(random), uniform(random));
+        step = {.direction = glm::normalize(basis.toWorld(l)), .density = reflector.density(l, v), .from = point};
         if (!(glm::dot(step.direction, point.normals.geometric) > 0.0)) return sum;
         if (reflector.mirror())
             throughput *= *reflector.mirror();

@@ -2,7 +2,7 @@
 
 #include "base/overloads.h"
 #include "reference/colour.h"
-#include "reference/frame.h"
+#include "reference/basis.h"
 #include "reference/tracer.h"
 #include "scene/ramps.h"
 
@@ -77,10 +77,10 @@ dvec3 Tracer::reflected(const ShadingPoint& point, const dvec3& l) const {
 
 dvec3 Tracer::reflected(const ShadingPoint& point, const dvec3& l, const dvec3& colour) const {
     if (!(glm::dot(point.normals.geometric, l) > 0.0)) return dvec3(0.0);
-    const Frame frame(point.normals.smooth);
-    const dvec3 local = frame.toLocal(l);
+    const Basis basis(point.normals.smooth);
+    const dvec3 local = basis.toLocal(l);
     if (!(local.z > 0.0)) return dvec3(0.0);
-    return reflector(point).f(local, frame.toLocal(point.towards_viewer), colour) *
+    return reflector(point).f(local, basis.toLocal(point.towards_viewer), colour) *
            (local.z * terminatorShare(point.normals, l, local.z));
 }
 

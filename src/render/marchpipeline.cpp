@@ -37,7 +37,7 @@ constexpr BindingRow kBindings[] = {
     {BINDING_BOUNDS, Binding::StorageImage, kAll},
     {BINDING_EDGES, Binding::StorageImage, kAll},
     {BINDING_IMAGES, Binding::StorageImage, kAll},
-    {BINDING_NODES, Binding::StorageImage, kAll},
+    {BINDING_SPLINE_NODES, Binding::StorageImage, kAll},
     {BINDING_TILES, Binding::StorageImage, kAll},
     {BINDING_FILM, Binding::StorageImage, kRender},
     {BINDING_FILM, Binding::StorageBuffer, kProbe | kQuery},  // their rays

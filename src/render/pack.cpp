@@ -27,7 +27,7 @@ static_assert(RAMP_POINTS == kRampPoints);
 constexpr double kSecondaryOffset = 1e-6;
 
 /// Object space: the matrices, and the length that counts as 1 there.
-struct Frame {
+struct ObjectSpace {
     dmat4 world_from_object, object_from_world;
     double unit;
 };
@@ -41,7 +41,7 @@ dvec3 centreOf(const Shape& shape) {
     return transformPoint(worldFromDevice(shape), dvec3(0.0));
 }
 
-Frame frameOf(const Shape& shape, double unit) {
+ObjectSpace objectSpaceOf(const Shape& shape, double unit) {
     const dmat4 world = worldFromDevice(shape);
     return {world, glm::inverse(world), unit};
 }
@@ -56,28 +56,28 @@ void splitInto(vec4& row, vec4& row_lo, const dvec3& v) {
 // the direction, on the plane through the object's centre parallel to the picture. Counted from the pixel nearest the
 // object's centre all are small: counted from the picture's corner, a small far object's would be differences of large
 // numbers.
-void packCameraRays(ObjectData& object, const Frame& frame, const Raster& raster) {
-    dvec3 world_centre = transformPoint(frame.world_from_object, dvec3(0.0));
+void packCameraRays(ObjectData& object, const ObjectSpace& space, const Raster& raster) {
+    dvec3 world_centre = transformPoint(space.world_from_object, dvec3(0.0));
     dvec2 centre = raster.project(world_centre);
     double x = std::clamp(std::floor(centre.x), 0.0, raster.width - 1.0);
     double y = std::clamp(std::floor(centre.y), 0.0, raster.height - 1.0);
-    auto toObject = [&](const dvec3& v) { return transformVector(frame.object_from_world, v); };
+    auto toObject = [&](const dvec3& v) { return transformVector(space.object_from_world, v); };
     dvec3 world_start = raster.start.at(x + 0.5, y + 0.5);
-    dvec3 start = transformPoint(frame.object_from_world, world_start) / frame.unit;
+    dvec3 start = transformPoint(space.object_from_world, world_start) / space.unit;
     dvec3 d0 = toObject(raster.direction.at(x + 0.5, y + 0.5));
     double scale = 1.0 / glm::length(d0);
     d0 *= scale;
     dvec3 dx = scale * toObject(raster.direction.right), dy = scale * toObject(raster.direction.down);
     double depth = transformPoint(raster.camera_from_world, world_centre).z;  // of the plane, in directions of depth 1
-    double steps = float(depth / (frame.unit * scale));
+    double steps = float(depth / (space.unit * scale));
     object.anchor_x = float(x);
     object.anchor_y = float(y);
     splitInto(object.direction_0, object.direction_0_lo, d0);
     splitInto(object.direction_x, object.direction_x_lo, dx);
     splitInto(object.direction_y, object.direction_y_lo, dy);
     splitInto(object.point_0, object.point_0_lo, start + steps * d0);
-    splitInto(object.point_x, object.point_x_lo, toObject(raster.start.right) / frame.unit + steps * dx);
-    splitInto(object.point_y, object.point_y_lo, toObject(raster.start.down) / frame.unit + steps * dy);
+    splitInto(object.point_x, object.point_x_lo, toObject(raster.start.right) / space.unit + steps * dx);
+    splitInto(object.point_y, object.point_y_lo, toObject(raster.start.down) / space.unit + steps * dy);
     object.direction_0.w = float(steps);
     object.from_start = toVec4(world_centre - world_start, 0.0);
     object.start_x = toVec4(raster.start.right, 0.0);
@@ -85,25 +85,25 @@ void packCameraRays(ObjectData& object, const Frame& frame, const Raster& raster
 }
 
 // What a pixel spans at least: directions grow towards the picture's corners, and rays are counted by their length.
-void packPixelSize(ObjectData& object, const Frame& frame, const Raster& raster) {
+void packPixelSize(ObjectData& object, const ObjectSpace& space, const Raster& raster) {
     auto least = [&](const RasterLinear& linear) {
-        return std::min(glm::length(transformVector(frame.object_from_world, linear.right)),
-                        glm::length(transformVector(frame.object_from_world, linear.down)));
+        return std::min(glm::length(transformVector(space.object_from_world, linear.right)),
+                        glm::length(transformVector(space.object_from_world, linear.down)));
     };
     double longest = 0.0;
     for (double x : {0.0, double(raster.width)})
         for (double y : {0.0, double(raster.height)})
             longest =
-                std::max(longest, glm::length(transformVector(frame.object_from_world, raster.direction.at(x, y))));
-    object.pixel_size = float(least(raster.start) / frame.unit);
+                std::max(longest, glm::length(transformVector(space.object_from_world, raster.direction.at(x, y))));
+    object.pixel_size = float(least(raster.start) / space.unit);
     object.pixel_growth = float(least(raster.direction) / longest);
 }
 
-void packTransforms(ObjectData& object, const Frame& frame) {
-    dmat4 to_object = glm::transpose(frame.object_from_world);  // columns are now rows
-    dmat4 to_world = glm::transpose(frame.world_from_object);
-    auto objectRow = [&](int i) { return vec4(to_object[i] / frame.unit); };
-    auto worldRow = [&](int i) { return toVec4(dvec3(to_world[i]) * frame.unit, to_world[i].w); };
+void packTransforms(ObjectData& object, const ObjectSpace& space) {
+    dmat4 to_object = glm::transpose(space.object_from_world);  // columns are now rows
+    dmat4 to_world = glm::transpose(space.world_from_object);
+    auto objectRow = [&](int i) { return vec4(to_object[i] / space.unit); };
+    auto worldRow = [&](int i) { return toVec4(dvec3(to_world[i]) * space.unit, to_world[i].w); };
     object.to_object_x = objectRow(0);
     object.to_object_y = objectRow(1);
     object.to_object_z = objectRow(2);
@@ -217,9 +217,9 @@ void packCamera(PackedState& state, const Scene& scene) {
     Raster raster = makeRaster(scene.camera, scene.film);
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         PackedObject& object = state.objects[i];
-        const Frame frame = frameOf(scene.shapes[i], object.unit);
-        packCameraRays(object.data, frame, raster);
-        packPixelSize(object.data, frame, raster);
+        const ObjectSpace space = objectSpaceOf(scene.shapes[i], object.unit);
+        packCameraRays(object.data, space, raster);
+        packPixelSize(object.data, space, raster);
     }
 }
 
@@ -243,7 +243,7 @@ PackedScene packScene(const Scene& scene, const SceneMaps& maps, Levels levels) 
         const Shape& shape = scene.shapes[i];
         PackedObject object;
         packGeometry(object, packed, shape, maps.map_of_shape[i], maps.reliefs[i], levels);
-        packTransforms(object.data, frameOf(shape, object.unit));
+        packTransforms(object.data, objectSpaceOf(shape, object.unit));
         object.data.from_first =
             toVec4(centreOf(shape) - centreOf(scene.shapes[0]), holdingRadius(object.data, shape, object.unit));
         packed.state.objects.push_back(std::move(object));

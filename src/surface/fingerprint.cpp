@@ -12,7 +12,7 @@ namespace {
 
 // One function for each type of the model. The bindings name every member, so that one that is added to the model does
 // not compile here until it is told of.
-struct Walk {
+struct SceneHash {
     Hash hash;
 
     void add(double x) { hash.word(std::bit_cast<std::uint64_t>(x)); }
@@ -48,82 +48,82 @@ struct Walk {
         std::visit([this](const auto& value) { add(value); }, one);
     }
     template <typename... T>
-    void all(const T&... values) {
+    void addAll(const T&... values) {
         (add(values), ...);
     }
 
     void add(const Camera& camera) {
         const auto& [projection, from_world, fov, window, aspect] = camera;
-        all(projection, from_world, fov, window, aspect);
+        addAll(projection, from_world, fov, window, aspect);
     }
     void add(const Film& film) {
         const auto& [filename, width, height, crop] = film;
-        all(width, height, crop);
+        addAll(width, height, crop);
     }
     void add(const Integrator& integrator) {
         const auto& [kind, depth, clamp, regularize, hide_distance] = integrator;
-        all(kind, depth, clamp, regularize, hide_distance);
+        addAll(kind, depth, clamp, regularize, hide_distance);
     }
     void add(const PixelFilter& filter) {
         const auto& [kind, radius, falloff, b, c, tau] = filter;
-        all(kind, radius, falloff, b, c, tau);
+        addAll(kind, radius, falloff, b, c, tau);
     }
-    void add(const Ripples& ripples) { all(ripples.u_frequency, ripples.v_frequency); }
+    void add(const Ripples& ripples) { addAll(ripples.u_frequency, ripples.v_frequency); }
     void add(const DisplacedSphere& sphere) {
         const auto& [radius, displacement, path, midlevel, scale, least, greatest, own, in_proportion, registration,
                      longitude, blur, nodata, band, filter, ripples, smooth] = sphere;
-        all(radius, displacement, midlevel, scale, least, greatest, own, in_proportion, registration, longitude, blur,
+        addAll(radius, displacement, midlevel, scale, least, greatest, own, in_proportion, registration, longitude, blur,
             nodata, band, filter, ripples, smooth);
     }
     void add(const Sphere& sphere) { add(sphere.radius); }
     void add(const Disk& disk) {
         const auto& [height, radius, inner] = disk;
-        all(height, radius, inner);
+        addAll(height, radius, inner);
     }
     void add(const TriangleMesh& mesh) {
         const auto& [points, triangles, uvs] = mesh;
-        all(points, triangles, uvs);
+        addAll(points, triangles, uvs);
     }
     void add(const ConstantColour& constant) { add(constant.rgb); }
-    void add(const HeightRamp& ramp) { all(ramp.ramp, ramp.scale); }
-    void add(const ImageMap& image) { all(image.scale, image.longitude_origin); }
+    void add(const HeightRamp& ramp) { addAll(ramp.ramp, ramp.scale); }
+    void add(const ImageMap& image) { addAll(image.scale, image.longitude_origin); }
     void add(const Checkerboard& board) {
         const auto& [even, odd, u, v] = board;
-        all(even, odd, u, v);
+        addAll(even, odd, u, v);
     }
-    void add(const Matte& matte) { all(matte.reflectance, matte.sigma); }
+    void add(const Matte& matte) { addAll(matte.reflectance, matte.sigma); }
     void add(const Conductor& metal) {
         const auto& [eta, k, alpha] = metal;
-        all(eta, k, alpha);
+        addAll(eta, k, alpha);
     }
     void add(const Mirror& mirror) { add(mirror.reflectance); }
     void add(const Plastic& plastic) {
         const auto& [diffuse, specular, alpha] = plastic;
-        all(diffuse, specular, alpha);
+        addAll(diffuse, specular, alpha);
     }
     void add(const Shape& shape) {
         const auto& [geometry, from_object, material, where] = shape;
-        all(geometry, from_object, material);
+        addAll(geometry, from_object, material);
     }
-    void add(const DistantLight& light) { all(light.direction, light.radiance); }
-    void add(const PointLight& light) { all(light.position, light.intensity); }
+    void add(const DistantLight& light) { addAll(light.direction, light.radiance); }
+    void add(const PointLight& light) { addAll(light.position, light.intensity); }
     void add(const InfiniteLight& light) {
         const auto& [radiance, path, from_light, where] = light;
-        all(radiance, from_light);
+        addAll(radiance, from_light);
     }
     void add(const AreaLight& light) {
         const auto& [shape, radiance, two_sided] = light;
-        all(shape, radiance, two_sided);
+        addAll(shape, radiance, two_sided);
     }
     void add(const Heightmap& map) {
-        all(map.width, map.height, map.registration, map.longitude_origin, map.full_scale);
+        addAll(map.width, map.height, map.registration, map.longitude_origin, map.full_scale);
         if (map.tiled)
             add(map.tiled->source().identity());
         else
             hash.bytes(map.samples.data(), map.samples.size() * sizeof(float));
     }
     void add(const ColourMap& image) {
-        all(image.width(), image.height());
+        addAll(image.width(), image.height());
         hash.bytes(image.raw().srgb.data(), image.raw().srgb.size());
         hash.bytes(image.raw().linear.data(), image.raw().linear.size() * sizeof(float));
     }
@@ -132,14 +132,14 @@ struct Walk {
 }  // namespace
 
 std::uint64_t fingerprint(const Scene& scene, const SceneMaps& maps) {
-    Walk walk;
+    SceneHash hash;
     const auto& [name, camera, film, sampler, integrator, pixel_filter, shapes, lights, included, missing, notices] =
         scene;
-    walk.all(camera, film, integrator, pixel_filter, shapes, lights);
-    for (const auto& map : maps.maps) walk.add(*map);
-    for (const auto& image : maps.images) walk.add(*image);
-    walk.all(maps.map_of_shape, maps.image_of_shape, maps.light_image);
-    return walk.hash.value();
+    hash.addAll(camera, film, integrator, pixel_filter, shapes, lights);
+    for (const auto& map : maps.maps) hash.add(*map);
+    for (const auto& image : maps.images) hash.add(*image);
+    hash.addAll(maps.map_of_shape, maps.image_of_shape, maps.light_image);
+    return hash.hash.value();
 }
 
 }  // namespace dsphere

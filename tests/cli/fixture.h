@@ -11,8 +11,8 @@
 
 namespace dsphere::test {
 
-/// Runs the program in a folder of the test's own, which holds a small scene, `planet.pbrt`, and its map. All tests share
-/// what Mesa has compiled: half of their time would go into the same shaders.
+/// Runs the program in a folder of the test's own, which holds a small scene, `planet.pbrt`, and its map. All tests
+/// share what Mesa has compiled: half of their time would go into the same shaders.
 class CliTest : public testing::Test {
   protected:
     static constexpr int kWidth = 64, kHeight = 48;

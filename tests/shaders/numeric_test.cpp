@@ -70,7 +70,7 @@ TEST(Numeric, TurnPairKeepsTheSmallCoordinate) {
         float s1 = glsl32::leadingBits(float(sine)), c1 = glsl32::leadingBits(float(cosine));
         glsl32::vec4 edge(s1, c1, float(sine - s1), float(cosine - c1));
         glsl32::Pair pa{float(a), float(a - double(float(a)))}, pb{float(b), float(b - double(float(b)))};
-        glsl32::Turned turned = glsl32::turnPair(pa, pb, edge);
+        glsl32::Rotated turned = glsl32::rotatePair(pa, pb, edge);
         worst = std::max(worst, std::abs(double(turned.first) - std::sin(beyond)));
         worst = std::max(worst, std::abs(double(turned.second.hi) + double(turned.second.lo) - std::cos(beyond)));
     }

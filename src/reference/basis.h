@@ -8,10 +8,10 @@ namespace dsphere::reference {
 
 /// The axes about a unit vector z of Duff et al. 2017, "Building an orthonormal basis, revisited". They jump where z.z
 /// changes its sign.
-struct Frame {
+struct Basis {
     dvec3 x, y, z;
 
-    explicit Frame(const dvec3& axis) : z(axis) {
+    explicit Basis(const dvec3& axis) : z(axis) {
         const double sign = axis.z < 0.0 ? -1.0 : 1.0, a = -1.0 / (sign + axis.z), b = axis.x * axis.y * a;
         x = {1.0 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x};
         y = {b, sign + axis.y * axis.y * a, -axis.y};
