@@ -19,10 +19,20 @@ real acrossAxis(const vec3 d) {
     return sqrt(max(real(1) - d.y * d.y, real(1e-12)));
 }
 
+// The ray's moment about the axis, to 1e-14: its sign tells on which side of the axis the ray passes, and floats would
+// miss that within 1e-7.
+real momentAboutAxis(const Line line) {
+    Pair plus = exactProduct(line.z.hi, line.dx.hi);
+    Pair minus = exactProduct(line.x.hi, line.dz.hi);
+    precise real plus_rest = plus.lo + (line.z.hi * line.dx.lo + line.z.lo * line.dx.hi);
+    precise real minus_rest = minus.lo + (line.x.hi * line.dz.lo + line.x.lo * line.dz.hi);
+    precise real moment = (plus.hi - minus.hi) + (plus_rest - minus_rest);
+    return moment;
+}
+
 WalkPlan planWalk(const Ray ray) {
     WalkPlan plan;
-    precise real moment = ray.c.z * ray.d.x - ray.c.x * ray.d.z;
-    plan.east = moment > real(0);
+    plan.east = momentAboutAxis(ray.line) > real(0);
     real rise = ray.d.y * ray.c2;
     plan.s_extreme = ray.c.y != real(0) ? clamp(rise / ray.c.y, -kInfinity, kInfinity)
                                      : (rise > real(0) ? kInfinity : -kInfinity);
@@ -128,7 +138,8 @@ struct ExactWalk {
 };
 
 // The ray is below the leaf's bound on [s, s_end].
-ExactWalk startWalk(const Ray ray, const MapData map, const WalkPlan plan, const Pair base, const real s, const real s_end) {
+ExactWalk startWalk(const Ray ray, const MapData map, const WalkPlan plan, const Pair base, const real s,
+                    const real s_end) {
     ExactWalk walk;
     walk.frame = makeFrame(ray, map, base, s);
     walk.hit = false;

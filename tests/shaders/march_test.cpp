@@ -96,6 +96,31 @@ void expectRight(const Planet& planet, double doubtful_share = 0.02) {
     EXPECT_LT(tally.doubtful, int(doubtful_share * double(queries.size()))) << "rays left to full precision";
 }
 
+// Rays that pass the axis closer than floats can tell on which side, which decides which way their longitude grows; and
+// where they come below the greatest radius, so that a walk begins beside the axis.
+std::vector<Query> queriesBesideTheAxis(int count) {
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    std::vector<Query> queries;
+    for (int k = 0; k < count; ++k) {
+        const dvec3 level = glm::normalize(dvec3(uniform(random), 0.0, uniform(random)));
+        const dvec3 direction = glm::normalize(level - dvec3(0.0, (k % 2 ? 1.2 : -1.2), 0.0));
+        const dvec3 aside = std::pow(10.0, -8.0 + uniform(random)) * dvec3(level.z, 0.0, -level.x);
+        const dvec3 on_axis(0.0, (k % 2 ? 1.0 : -1.0) * (1.0 + 3e-6 * uniform(random)), 0.0);
+        queries.push_back({on_axis + aside - 2.0 * direction, direction});
+    }
+    return queries;
+}
+
+TEST(Marcher, BesideTheAxis) {
+    const Planet planet(checkerboardMap(512, 256), 30.0);
+    const Tally tally = compare(planet, queriesBesideTheAxis(4000));
+    EXPECT_GT(tally.hits, 1000);
+    EXPECT_EQ(tally.wrong64, 0);
+    EXPECT_EQ(tally.wrong32, 0);
+    EXPECT_EQ(tally.wrong_filter, 0);
+}
+
 TEST(Marcher, Fractal) {
     expectRight(Planet(fractalMap(1024, 512), 5.0));
 }
