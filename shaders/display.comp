@@ -7,17 +7,14 @@
 layout(local_size_x = DISPLAY_GROUP, local_size_y = DISPLAY_GROUP) in;
 layout(binding = 0, r32ui) readonly uniform uimage2DArray film;
 layout(std430, binding = 1) writeonly buffer Colours { uint colours[]; };
-layout(std430, binding = 2) readonly buffer World {
-    DisplayObject objects[DISPLAY_OBJECTS];
-    DisplayLight lights[DISPLAY_LIGHTS];
-};
-layout(push_constant) uniform Params { DisplayParams params; };
+layout(std430, binding = 2) readonly buffer World { DisplayObject objects[DISPLAY_OBJECTS]; };
+layout(push_constant) uniform Params { DisplayParams pushed; };
+DisplayParams params;
 // A SHOW_. No parameter, which lavapipe would set into a copy of the shader and compile at every dispatch (rule L2).
 layout(constant_id = 0) const int kShow = SHOW_COLOUR;
 
 const vec3 kBackground = vec3(0.07, 0.07, 0.08);  // behind values, so that black can be one
 const vec3 kLineColour = vec3(1.0, 0.82, 0.35);
-const float kHorizonWidth = 0.1;  // the sine of the angles over which a horizon fades
 const float kDegrees = 57.29577951;
 
 float plane(ivec2 pixel, uint layer) {
@@ -59,37 +56,6 @@ float heightAt(DisplayObject object, vec3 place) {
     return (length(inObject(object, place)) - object.to_object_x.w) * object.to_object_y.w + object.to_object_z.w;
 }
 
-// The share of light from `towards` (unit) that is left beyond the horizon of the mean sphere, which lies the lower the
-// higher the place is.
-float horizonFade(DisplayObject object, vec3 place, vec3 towards) {
-    float share = min(object.centre.w / length(inObject(object, place)), 1.0);
-    float sine = dot(normalize(place - object.centre.xyz), towards) + sqrt(1.0 - share * share);
-    return clamp(0.5 + sine / kHorizonWidth, 0.0, 1.0);
-}
-
-// Stands in for cast shadows: the share of a displaced sphere's light that its horizon leaves. Each light counts as
-// Lambert's law has it.
-float unshadowed(ivec2 pixel) {
-    uint shape = shapeAt(pixel);
-    if (shape == 0u || params.light_count == 0) return 1.0;
-    DisplayObject object = objects[shape - 1u];
-    if (object.centre.w == 0.0) return 1.0;
-    vec3 place = planes(pixel, params.place_layer), normal = planes(pixel, params.normal_layer);
-    float all = 0.0, left = 0.0;
-    for (int k = 0; k < params.light_count; ++k) {
-        DisplayLight light = lights[k];
-        bool placed = light.place.w == 1.0, everywhere = light.place.w == 2.0;
-        vec3 towards = placed ? light.place.xyz - place : light.place.xyz;
-        float square = dot(towards, towards);
-        towards *= inversesqrt(square);
-        float strength = light.strength.x;
-        if (!everywhere) strength *= max(dot(normal, towards), 0.0) / (placed ? square : 1.0);
-        all += strength;
-        left += everywhere ? strength : strength * horizonFade(object, place, towards);
-    }
-    return all > 0.0 ? left / all : 1.0;
-}
-
 // Which interval between lines a pixel lies in: of heights, or of longitude and latitude.
 ivec2 intervalAt(ivec2 pixel, uint shape) {
     DisplayObject object = objects[shape - 1u];
@@ -124,14 +90,13 @@ float slopeAt(ivec2 pixel, uint shape) {
 }
 
 vec3 graticuleColour(ivec2 pixel, uint shape) {
-    vec3 colour = srgb(planes(pixel, params.layer) * params.gain * unshadowed(pixel));
+    vec3 colour = srgb(planes(pixel, params.layer) * params.gain);
     return isOnLine(pixel, shape) ? mix(colour, kLineColour, 0.65) : colour;
 }
 
 vec3 colourOf(ivec2 pixel) {
     uint layer = params.layer;
     if (kShow == SHOW_COLOUR) return srgb(planes(pixel, layer) * params.gain);
-    if (kShow == SHOW_FADED) return srgb(planes(pixel, layer) * params.gain * unshadowed(pixel));
     uint shape = shapeAt(pixel);
     if (shape == 0u) return kBackground;
     if (kShow == SHOW_HEIGHTS) return heightColour(pixel, shape);
@@ -146,6 +111,7 @@ vec3 colourOf(ivec2 pixel) {
 }
 
 void main() {
+    params = pushed;  // rule L3
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (pixel.x >= params.width || pixel.y >= params.height) return;
     colours[pixel.y * params.width + pixel.x] = packUnorm4x8(vec4(colourOf(pixel), 1.0));

@@ -22,22 +22,19 @@ using vec4 = glm::vec4;
 #define SHOW_ALBEDO 7
 #define SHOW_STEPS 8
 #define SHOW_RESIDUAL 9
-#define SHOW_FADED 10  // SHOW_COLOUR of a film without cast shadows
 
 #define DISPLAY_OBJECTS 64
-#define DISPLAY_LIGHTS 32
 
 struct DisplayParams {
     int width, height;               // of the picture, from the film's first pixel
     uint layer, id_layer;            // of the film: where the values begin, and the shapes' (not of SHOW_COLOUR)
-    uint place_layer, normal_layer;  // where world positions and normals begin, of SHOW_s that need them
+    uint place_layer;                // where world positions begin, of SHOW_s that need them
     float gain;                      // of the stored sums of light
     float low, high;  // the values that the scale of colours begins and ends at; of SHOW_RESIDUAL their log2
     float spacing;    // of lines: degrees (SHOW_GRATICULE), heights (SHOW_HEIGHTS)
-    int light_count;  // lights whose shadows are stood in for; 0: the film has shadows
 };
 
-// What is known of an object beyond the film. Displaced spheres alone have heights and a horizon.
+// What is known of an object beyond the film. Displaced spheres alone have heights.
 struct DisplayObject {
     vec4 centre;       // xyz: world; w: the mean radius of a displaced sphere, object units; 0: another shape
     vec4 to_object_x;  // rows of world -> object, without the shift. w: the radius of the stored value 0
@@ -45,18 +42,12 @@ struct DisplayObject {
     vec4 to_object_z;  // w: the height that the stored value 0 means
 };
 
-struct DisplayLight {
-    vec4 place;     // w = 0: towards it, unit; 1: a position; 2: it comes from everywhere. World
-    vec4 strength;  // x: luminance of its radiance or intensity
-};
-
 #ifdef __cplusplus
-static_assert(sizeof(DisplayParams) == 44);
+static_assert(sizeof(DisplayParams) == 36);
 struct DisplayWorld {
     DisplayObject objects[DISPLAY_OBJECTS];
-    DisplayLight lights[DISPLAY_LIGHTS];
 };
-static_assert(sizeof(DisplayWorld) == 64 * DISPLAY_OBJECTS + 32 * DISPLAY_LIGHTS);
+static_assert(sizeof(DisplayWorld) == 64 * DISPLAY_OBJECTS);
 }  // namespace dsphere::layout
 #endif
 #endif

@@ -61,7 +61,7 @@ using uint = std::uint32_t;
 #define SPEC_FILTER 16         // FILTER_ of the pixel filter
 #define SPEC_RADIUS_X 17       // float, of the pixel filter
 #define SPEC_RADIUS_Y 18
-#define SPEC_SHADOWS 19         // 0: light passes through everything
+#define SPEC_SHADOWS 19         // 0: no shadow rays; light ends at the horizons of mean spheres (horizonShare)
 #define SPEC_REGULARIZE 20      // 1: later facets are rougher
 #define SPEC_RETRY_STRIDE 21    // invocations from one retried pixel to the next, whose rays differ (rule N1)
 #define SPEC_ONLY_DISPLACED 22  // the scene's only displaced sphere, by its index; -1: it has none or several
@@ -203,7 +203,7 @@ struct ObjectData {
     float image_shift;                     // turns from a longitude of 0 back to the image's left edge
     float pixel_size, pixel_growth;  // a pixel spans size + growth * distance from the ray's start at least, units of R
     int first_triangle, triangle_count;  // KIND_MESH
-    float pad0;
+    float mean_radius;               // of a displaced sphere, units of R; others': negative
     vec4 texture_scale;  // rgb: factor of the ramp's or the image's colour
 };
 

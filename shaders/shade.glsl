@@ -349,6 +349,19 @@ bool isShaded(const SurfacePoint point, const vec3 place, const bool ends, const
     return shaded;
 }
 
+// Stands in for shadow rays where kShadows is 0: the share of the light from `towards` (unit, world) that is left at a point
+// of a displaced sphere. Light fades at the horizon of the mean sphere, which lies the lower, the higher the point is. Where
+// `mean_radius` is negative, as other shapes have it, the share is 1.
+const real kHorizonWidth = real(0.1);  // the sine of the angles over which light fades
+
+real horizonShare(const SurfacePoint point, const vec3 towards) {
+    ObjectData object = objectOf(point.object, ~0);
+    real cosine = min(real(object.mean_radius) / length(point.object_position), real(1));
+    real dip = sqrt(real(1) - cosine * abs(cosine));  // its sine; above 1 without a horizon
+    real sine = dot(normalize(point.from_first - XYZ(object.from_first)), towards) + dip;
+    return clamp(real(0.5) + sine / kHorizonWidth, real(0), real(1));
+}
+
 // A facet that turns away from the light is dark however its shading normal stands: fades to that instead of breaking off
 // (Chiang, Li and Burley 2019, "Taming the shadow terminator"). 1 where both normals are one.
 real terminatorShare(const real cosine, const real shading_cosine, const real between) {

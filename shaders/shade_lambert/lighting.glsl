@@ -26,6 +26,7 @@ vec3 lightFrom(const LightData light, const SurfacePoint point) {
     if (kCurved)
         cosine *= terminatorShare(dot(towards, point.normal) * inversesqrt(square), cosine,
                                   dot(point.normal, point.smooth_normal));
+    if (kShadows == 0) cosine *= horizonShare(point, towards * inversesqrt(square));
     if (!(square > real(0))) return vec3(real(0));  // a light on the surface itself
     return finiteLight(XYZ(light.radiance) * (isLight(light, LIGHT_POINT) ? cosine / square : cosine));
 }

@@ -84,7 +84,7 @@ real powerWeight(const real own, const real other) {
 // How a sample of the picture is gathered.
 struct Rules {
     bool centre;    // direct light alone, each light by its own sample, whose shadows are wanted even where it is dark
-    bool shadowed;  // else light passes through everything
+    bool shadowed;  // else horizonShare() stands in for shadow rays
     bool weighed;   // paths may meet the lights too
 };
 
@@ -102,6 +102,7 @@ vec3 lightThrough(const Vertex vertex, const int k, const vec2 u, const real cha
     seen = dot(point.normal, direction) > real(0) && light.object != point.object;
     if (seen && rules.shadowed && (rules.centre || max(result.x, max(result.y, result.z)) > real(0)))
         seen = isVisible(point, light, light_sample, searches);
+    if (kShadows == 0 && !isInfinite(light)) result *= horizonShare(point, direction);
     return seen ? result : vec3(real(0));
 }
 

@@ -12,7 +12,7 @@ struct MarchMethod {
     Marcher marcher = Marcher::Exact;
     float threshold = 3e-6f;  ///< baselines: a hit where |p| - r falls under it, units of R
     float detail = 0.0f;      ///< exact: pixels that a level of detail may be off; 0: the map itself
-    bool shadows = true;      ///< false: light passes through everything
+    bool shadows = true;      ///< false: light fades beyond the horizons of mean spheres instead
 
     MarchMethod(Marcher chosen = Marcher::Exact, float hit_below = 3e-6f, float pixels = 0.0f)
         : marcher(chosen), threshold(hit_below), detail(pixels) {}

@@ -167,6 +167,7 @@ void packGeometry(PackedObject& packed_object, PackedScene& packed, const Shape&
     ObjectData& object = packed_object.data;
     object.kind = geometryKind(shape.geometry);
     object.base = 1.0f;
+    object.mean_radius = -1.0f;
     object.offset = float(kSecondaryOffset);
     object.shell_squared = float((1.0 + Bounds::kSlack) * (1.0 + Bounds::kSlack)) + 1.2e-7f;
     const auto packDisplaced = [&](const DisplacedSphere&) {
@@ -175,6 +176,7 @@ void packGeometry(PackedObject& packed_object, PackedScene& packed, const Shape&
         object.base = float(base);
         object.base_lo = float(base - double(object.base));
         object.scale = float(relief.scale / relief.greatest_radius);
+        object.mean_radius = float(0.5 + 0.5 * relief.least_radius / relief.greatest_radius);
         return relief.greatest_radius;
     };
     const auto packDisk = [&](const Disk& disk) {

@@ -103,14 +103,11 @@ void App::startPicture(bool draft) {
     const auto [most_width, most_height] = pictureSize();
     const int width = std::max(1, int(std::ceil(scale * most_width)));
     const int height = std::max(1, int(std::ceil(scale * most_height)));
-    // Films without shadows have more planes, and are only as large as the drafts that they are for.
-    const bool shadows = !draft || schedule_.shadows();
-    if (stage_->prepareFilm(chosen_.view.show, shadows, shadows ? most_width : width, shadows ? most_height : height))
-        display_.forget();
+    if (stage_->prepareFilm(chosen_.view.show, draft, width, height)) display_.forget();
     stage_->setCamera(control_->camera(), width, height);
     camera_is_new_ = false;
     const Sampling sampling = draft || chosen_.view.show != Show::Colour ? Sampling::Centres : Sampling::Jittered;
-    stage_->begin(chosen_.view, sampling);
+    stage_->begin(chosen_.view, sampling, !draft || schedule_.shadows());
     draft ? schedule_.beginDraft() : schedule_.beginStill();
     begun_ = true;
     published_ = false;
@@ -188,8 +185,7 @@ void App::publish() {
     presenter_.finish();
     const Document& document = stage_->document();
     shown_range_ = shownRange();
-    display_.convert(stage_->film(), {chosen_.view.show, stage_->shadows(), chosen_.tone, shown_range_},
-                     displayWorld(document), int(document.drawn().lights.size()));
+    display_.convert(stage_->film(), {chosen_.view.show, chosen_.tone, shown_range_}, displayWorld(document));
     presenter_.setPicture(display_.pixels(), stage_->film().width(), stage_->film().height());
     published_ = true;
 }

@@ -17,7 +17,7 @@ namespace {
 /// The planes that a value is made of.
 struct ShownPlanes {
     int first, count;
-    bool places = false, normals = false;
+    bool places = false;
 };
 
 constexpr ShownPlanes kShown[kShowCount] = {
@@ -33,7 +33,7 @@ std::uint32_t layerOf(std::uint32_t mask, int plane) {
     return std::uint32_t(std::popcount(mask & (planeBit(plane) - 1u)));
 }
 
-layout::DisplayParams paramsOf(const LiveFilm& film, const DisplaySettings& settings, int lights) {
+layout::DisplayParams paramsOf(const LiveFilm& film, const DisplaySettings& settings) {
     const std::uint32_t mask = film.mask();
     layout::DisplayParams params = {};
     params.width = film.width();
@@ -41,9 +41,7 @@ layout::DisplayParams paramsOf(const LiveFilm& film, const DisplaySettings& sett
     params.layer = layerOf(mask, kShown[int(settings.show)].first);
     params.id_layer = layerOf(mask, PLANE_ID);
     params.place_layer = layerOf(mask, PLANE_PX);
-    params.normal_layer = layerOf(mask, PLANE_NX);
     params.gain = std::exp2(settings.tone.exposure) / float(film.samples());
-    params.light_count = settings.shadows ? 0 : std::min(lights, DISPLAY_LIGHTS);
     const auto setRange = [&](double low, double high) { params.low = float(low), params.high = float(high); };
     const ShownRange& range = settings.range;
     if (settings.show == Show::Steps) setRange(0.0, double(settings.tone.most_steps));
@@ -57,13 +55,11 @@ layout::DisplayParams paramsOf(const LiveFilm& film, const DisplaySettings& sett
 
 }  // namespace
 
-std::uint32_t planesOf(Show show, bool shadows) {
+std::uint32_t planesOf(Show show) {
     const ShownPlanes& shown = kShown[int(show)];
-    const bool faded = !shadows && shown.first == PLANE_R;
     std::uint32_t mask = planesFrom(shown.first, shown.count);
-    if (show != Show::Colour || faded) mask |= planeBit(PLANE_ID);
-    if (shown.places || faded) mask |= planesFrom(PLANE_PX, 3);
-    if (faded) mask |= planesFrom(PLANE_NX, 3);
+    if (show != Show::Colour) mask |= planeBit(PLANE_ID);
+    if (shown.places) mask |= planesFrom(PLANE_PX, 3);
     return mask;
 }
 
@@ -99,11 +95,10 @@ void Display::bind(LiveFilm& film) {
     film_ = &film;
 }
 
-void Display::convert(LiveFilm& film, const DisplaySettings& settings, const layout::DisplayWorld& world, int lights) {
-    const bool faded = settings.show == Show::Colour && !settings.shadows;
-    choose(faded ? SHOW_FADED : std::uint32_t(settings.show));
+void Display::convert(LiveFilm& film, const DisplaySettings& settings, const layout::DisplayWorld& world) {
+    choose(std::uint32_t(settings.show));
     bind(film);
-    const layout::DisplayParams params = paramsOf(film, settings, lights);
+    const layout::DisplayParams params = paramsOf(film, settings);
     auto groups = [](int size) { return std::uint32_t((size + DISPLAY_GROUP - 1) / DISPLAY_GROUP); };
     batch_.write(world_, &world, sizeof(world));
     batch_.bind(*pipeline_, *set_);

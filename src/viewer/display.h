@@ -13,7 +13,6 @@ namespace dsphere::viewer {
 /// How films become what the window shows.
 struct DisplaySettings {
     Show show = Show::Colour;
-    bool shadows = true;  ///< false: the film has none, and its light fades beyond the horizon instead
     ToneSettings tone;
     ShownRange range;
 };
@@ -23,8 +22,8 @@ class Display {
   public:
     explicit Display(gpu::Device& device);
 
-    /// The film's complete samples, between() two. `world` is of the document that the film shows, with so many lights.
-    void convert(LiveFilm& film, const DisplaySettings& settings, const layout::DisplayWorld& world, int lights);
+    /// The film's complete samples, between() two. `world` is of the document that the film shows.
+    void convert(LiveFilm& film, const DisplaySettings& settings, const layout::DisplayWorld& world);
     /// The film that was converted last is going.
     void forget() { film_ = nullptr; }
     const gpu::Buffer& pixels() const { return *pixels_; }

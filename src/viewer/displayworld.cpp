@@ -11,10 +11,6 @@ layout::vec4 vec4Of(const dvec3& v, double w) {
     return layout::vec4(float(v.x), float(v.y), float(v.z), float(w));
 }
 
-double luminance(const dvec3& rgb) {
-    return 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z;
-}
-
 const Heightmap* mapOf(const Document& document, std::size_t shape) {
     const int map = document.maps.map_of_shape[shape];
     return map < 0 ? nullptr : document.maps.maps[std::size_t(map)].get();
@@ -35,25 +31,6 @@ layout::DisplayObject objectOf(const Document& document, std::size_t shape) {
     object.to_object_z = vec4Of(row(2), unit.offset);
     return object;
 }
-
-struct LightEntry {
-    const Document& document;
-
-    layout::DisplayLight operator()(const DistantLight& light) const {
-        return {vec4Of(light.direction, 0.0), vec4Of(dvec3(luminance(light.radiance)), 0.0)};
-    }
-    layout::DisplayLight operator()(const PointLight& light) const {
-        return {vec4Of(light.position, 1.0), vec4Of(dvec3(luminance(light.intensity)), 0.0)};
-    }
-    layout::DisplayLight operator()(const InfiniteLight& light) const {
-        return {vec4Of(dvec3(0.0), 2.0), vec4Of(dvec3(kPi * luminance(light.radiance)), 0.0)};
-    }
-    layout::DisplayLight operator()(const AreaLight& light) const {
-        const Globe& globe = (*document.bodies)[std::size_t(light.shape)];
-        const double area = kPi * globe.radius() * globe.radius();
-        return {vec4Of(globe.centre(), 1.0), vec4Of(dvec3(area * luminance(light.radiance)), 0.0)};
-    }
-};
 
 }  // namespace
 
@@ -78,9 +55,6 @@ layout::DisplayWorld displayWorld(const Document& document) {
     layout::DisplayWorld world = {};
     const std::size_t objects = std::min(document.scene.shapes.size(), std::size(world.objects));
     for (std::size_t i = 0; i < objects; ++i) world.objects[i] = objectOf(document, i);
-    const std::vector<Light>& lights = document.drawn().lights;
-    for (std::size_t i = 0; i < std::min(lights.size(), std::size(world.lights)); ++i)
-        world.lights[i] = std::visit(LightEntry{document}, lights[i]);
     return world;
 }
 

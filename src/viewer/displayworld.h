@@ -22,7 +22,7 @@ HeightUnit heightUnitOf(const Document& document, std::size_t shape);
 /// The least and greatest height of a displaced sphere of the document, in its unit.
 std::pair<double, double> heightRange(const Document& document, std::size_t shape);
 
-/// What display.comp knows of the document's objects and lights.
+/// What display.comp knows of the document's objects.
 layout::DisplayWorld displayWorld(const Document& document);
 
 /// 1, 2 or 5 times a power of ten: the greatest that is not above `most` (> 0).

@@ -14,8 +14,8 @@ extern const char* const kShowNames[kShowCount];
 /// The marchers' names, in the order of Marcher.
 inline constexpr const char* kMarcherNames[] = {"exact", "naive", "naive-shell", "lipschitz"};
 
-/// The film planes that it takes; `shadows`: of a film that has cast shadows.
-std::uint32_t planesOf(Show show, bool shadows = true);
+/// The film planes that it takes.
+std::uint32_t planesOf(Show show);
 
 /// How the picture is made: what a change of makes it anew.
 struct ViewSettings {

@@ -12,6 +12,8 @@ namespace dsphere::viewer {
 
 namespace {
 
+constexpr std::size_t kStillFilm = 0, kDraftFilm = 1;
+
 MarchMethod withoutShadows(MarchMethod method) {
     method.shadows = false;
     return method;
@@ -25,7 +27,7 @@ Stage::Stage(gpu::Device& device, std::unique_ptr<Document> document, const Marc
       renderer_(device, document_->packed, document_->drawn(), method),
       method_(method) {
     if (document_->stand_in) return;  // the first picture needs all cores
-    translating_ = makeAhead(device_, document_->packed.traits, withoutShadows(method_), planesOf(Show::Colour, false));
+    translating_ = makeAhead(device_, document_->packed.traits, withoutShadows(method_), planesOf(Show::Colour));
 }
 
 void Stage::setCamera(const Camera& camera, int width, int height) {
@@ -63,19 +65,20 @@ bool Stage::makeRoom(std::size_t film, std::uint32_t mask, int width, int height
     return true;
 }
 
-// Pictures without light have no shadows to leave out.
-bool Stage::prepareFilm(Show show, bool shadows, int width, int height) {
-    film_in_use_ = shadows || planesOf(show, false) == planesOf(show) ? 0 : 1;
-    return makeRoom(film_in_use_, planesOf(show, film_in_use_ == 0), width, height);
+bool Stage::prepareFilm(Show show, bool draft, int width, int height) {
+    film_in_use_ = draft ? kDraftFilm : kStillFilm;
+    return makeRoom(film_in_use_, planesOf(show), width, height);
 }
 
-void Stage::begin(const ViewSettings& view, Sampling sampling) {
+// Pictures without light have no shadows to leave out.
+void Stage::begin(const ViewSettings& view, Sampling sampling, bool shadows) {
+    shadows_ = shadows || (planesOf(view.show) & kColourPlanes) == 0;
     const int width = renderer_.crop().width();
     const int middle = view.split ? std::clamp(int(std::lround(view.divider * width)), 0, width) : 0;
     std::vector<LivePart> parts;
     if (middle > 0) parts.push_back({Marcher::Naive, 0, middle});
     if (middle < width) parts.push_back({view.method, middle, width});
-    for (LivePart& part : parts) part.method.shadows = shadows();
+    for (LivePart& part : parts) part.method.shadows = shadows_;
     film().begin(parts, sampling, std::uint32_t(document_->scene.sampler.seed));
 }
 
@@ -84,8 +87,9 @@ void Stage::makeDraftsReady(const ViewSettings& view) {
     translating_.get();
     if (view.method != method_ || view.show != Show::Colour) return;
     const auto least = [](int side) { return int(std::ceil(Schedule::kLeastScale * side)); };
-    makeRoom(1, planesOf(Show::Colour, false), least(films_[0]->mostWidth()), least(films_[0]->mostHeight()));
-    films_[1]->prepare(withoutShadows(method_));
+    const LiveFilm& still = *films_[kStillFilm];
+    makeRoom(kDraftFilm, planesOf(Show::Colour), least(still.mostWidth()), least(still.mostHeight()));
+    films_[kDraftFilm]->prepare(withoutShadows(method_));
 }
 
 std::optional<Pick> Stage::pick(const dvec2& share) {

@@ -27,14 +27,15 @@ class Stage {
     /// Takes a new packing that retune() made of this scene's reliefs.
     void updateRelief(PackedScene packed, const Scene& scene);
 
-    /// Takes the film for pictures of `show` of width x height, with shadows or without; true if its old one had to go.
-    bool prepareFilm(Show show, bool shadows, int width, int height);
+    /// Takes the film of drafts or that of stills for a picture of `show` of width x height; true if its old one had
+    /// to go. Each has its own, since drafts are smaller: a film is cleared as a whole.
+    bool prepareFilm(Show show, bool draft, int width, int height);
     /// That was taken last.
     LiveFilm& film() { return *films_[film_in_use_]; }
     const LiveFilm& film() const { return *films_[film_in_use_]; }
-    bool shadows() const { return film_in_use_ == 0; }
-    /// Starts a picture with the present camera.
-    void begin(const ViewSettings& view, Sampling sampling);
+    /// Starts a picture with the present camera; without `shadows` light fades beyond horizons instead.
+    void begin(const ViewSettings& view, Sampling sampling, bool shadows);
+    bool shadows() const { return shadows_; }  ///< of the picture that was started last
     /// On a device that will need drafts without shadows: so that the first of them is not held up by their shaders,
     /// which were translated on another thread meanwhile. Does nothing before these are, or a second time.
     void makeDraftsReady(const ViewSettings& view);
@@ -48,8 +49,9 @@ class Stage {
     gpu::Device& device_;
     std::unique_ptr<Document> document_;
     Renderer renderer_;
-    std::array<std::optional<LiveFilm>, 2> films_;  ///< with cast shadows, without
+    std::array<std::optional<LiveFilm>, 2> films_;  ///< of stills, of drafts
     std::size_t film_in_use_ = 0;
+    bool shadows_ = true;
     std::optional<Picker> picker_;
     MarchMethod method_;
     std::future<void> translating_;

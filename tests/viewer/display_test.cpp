@@ -42,14 +42,14 @@ class DisplayTest : public testing::Test {
     }
     void take(Show what, bool shadows, const ShownRange& range = {}) {
         const Document& document = stage_->document();
-        if (stage_->prepareFilm(what, shadows, kFilmWidth, kFilmHeight)) display_.forget();
+        if (stage_->prepareFilm(what, !shadows, kFilmWidth, kFilmHeight)) display_.forget();
         stage_->setCamera(document.original.camera, kFilmWidth, kFilmHeight);
         ViewSettings view;
         view.show = what;
-        stage_->begin(view, Sampling::Centres);
+        stage_->begin(view, Sampling::Centres, shadows);
         while (!stage_->film().step(1.0)) {
         }
-        display_.convert(stage_->film(), {what, shadows, {}, range}, displayWorld(document), 1);
+        display_.convert(stage_->film(), {what, {}, range}, displayWorld(document));
         codes_.resize(std::size_t(kFilmWidth) * kFilmHeight);
         display_.pixels().download(0, 4 * codes_.size(), codes_.data());
     }
