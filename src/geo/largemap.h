@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "image/rawmap.h"
 
@@ -51,6 +52,9 @@ class LargeMap {
     /// width * height samples of kind(). May be called from several threads at once. Throws Error (InvalidInput) when
     /// the file cannot be read there.
     virtual void read(int x, int y, int width, int height, void* to) const = 0;
+    /// The map at `columns` x `rows` texels, no more than it has: the samples nearest their middles, or what the file's
+    /// own overviews have there. NaN: unknown. Quick, but not exact. Throws Error (InvalidInput) as read() does.
+    virtual std::vector<float> overview(int columns, int rows) const = 0;
     /// Tells the file's content at this time apart from all other files and times: for the names of caches.
     virtual std::string identity() const = 0;
 };

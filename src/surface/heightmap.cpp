@@ -215,12 +215,37 @@ Heightmap makeTiledHeightmap(std::shared_ptr<const geo::LargeMap> source, const 
     throw Error(error.code(), shape.map_path + ": " + error.what());
 }
 
-Heightmap loadHeightmap(const DisplacedSphere& shape, std::uint64_t most_held, const MapProgress& progress) {
+namespace {
+
+/// Null: the map does not stay in its file.
+std::shared_ptr<const geo::LargeMap> openToStay(const DisplacedSphere& shape, std::uint64_t most_held) {
     const bool may_stay = shape.filter == Filter::Bilinear && !shape.smooth_normals && shape.blur == 0.0;
-    if (!shape.map_path.empty() && may_stay)
-        if (auto large = geo::openLargeMap(shape.map_path, shape.band, most_held + 1);
-            large && large->head().width >= NodeGrid::kLeastWidth && large->head().height >= NodeGrid::kLeastRows)
-            return makeTiledHeightmap(std::move(large), shape, progress);
+    if (shape.map_path.empty() || !may_stay) return nullptr;
+    auto large = geo::openLargeMap(shape.map_path, shape.band, most_held + 1);
+    if (!large || large->head().width < NodeGrid::kLeastWidth || large->head().height < NodeGrid::kLeastRows)
+        return nullptr;
+    return large;
+}
+
+}  // namespace
+
+// Its texels lie as those of texel registration do, whatever the whole map's are.
+std::optional<Heightmap> loadCoarseHeightmap(const DisplacedSphere& shape) {
+    const auto large = openToStay(shape, geo::kLargeMapTexels);
+    if (!large || SurveyCache::has(surveyKey(*large, headOf(large->head(), shape), shape))) return {};
+    RawMap raw = large->head();
+    const int shrink = std::max(1, raw.width / kCoarseColumns);
+    raw.width = std::max(raw.width / shrink, 1);
+    raw.height = std::max(raw.height / shrink, 1);
+    raw.samples = large->overview(raw.width, raw.height);
+    raw.unknown_are_nan = true;
+    DisplacedSphere coarse = shape;
+    coarse.registration = Registration::Texel;
+    return makeHeightmap(std::move(raw), coarse);
+}
+
+Heightmap loadHeightmap(const DisplacedSphere& shape, std::uint64_t most_held, const MapProgress& progress) {
+    if (auto large = openToStay(shape, most_held)) return makeTiledHeightmap(std::move(large), shape, progress);
     if (!shape.map_path.empty()) return makeHeightmap(geo::readMap(shape.map_path, shape.band), shape);
     DisplacedSphere smooth = shape;
     smooth.registration = Registration::Texel;  // a single value has no grid lines

@@ -56,6 +56,11 @@ using MapProgress = std::function<bool(const std::string& path, double share)>;
 Heightmap loadHeightmap(const DisplacedSphere& shape, std::uint64_t most_held = geo::kLargeMapTexels,
                         const MapProgress& progress = {});
 
+/// The map of kCoarseColumns columns that stands in for a map that stays in its file until that is surveyed, which
+/// takes seconds. Unset: the map is small, or was surveyed before. Errors as loadHeightmap has them.
+std::optional<Heightmap> loadCoarseHeightmap(const DisplacedSphere& shape);
+inline constexpr int kCoarseColumns = 1024;
+
 /// Of a map in its file. As loadHeightmap.
 Heightmap makeTiledHeightmap(std::shared_ptr<const geo::LargeMap> source, const DisplacedSphere& shape,
                              const MapProgress& progress = {});

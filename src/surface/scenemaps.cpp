@@ -49,8 +49,8 @@ void gather(ErrorList& errors, Load load) {
 /// Loads a scene's files, all of them: what is wrong with any is gathered.
 class Loader {
   public:
-    Loader(const Scene& scene, std::uint64_t memory_limit, const MapProgress& progress)
-        : scene_(scene), progress_(progress) {
+    Loader(const Scene& scene, std::uint64_t memory_limit, const MapProgress& progress, bool coarse = false)
+        : scene_(scene), progress_(progress), coarse_(coarse) {
         result_.memory_limit = memory_limit;
         constexpr std::uint64_t kBytesHeld = 2 * sizeof(float);  // of a texel, on the host and on the device
         if (memory_limit > 0) most_held_ = std::min(most_held_, memory_limit / kBytesHeld);
@@ -77,6 +77,15 @@ class Loader {
     }
 
   private:
+    Heightmap loadOne(const DisplacedSphere& sphere) {
+        if (coarse_)
+            if (std::optional<Heightmap> map = loadCoarseHeightmap(sphere)) {
+                result_.coarse = true;
+                return std::move(*map);
+            }
+        return loadHeightmap(sphere, most_held_, progress_);
+    }
+
     void loadMap(const Shape& shape) {
         const auto* sphere = std::get_if<DisplacedSphere>(&shape.geometry);
         if (!sphere) return;
@@ -86,8 +95,7 @@ class Loader {
         const std::size_t index = std::size_t(found - owners_.begin());
         if (found == owners_.end()) {
             bad_maps_.push_back(sphere);
-            result_.maps.push_back(loadAt(scene_, shape.where, sphere->map_path,
-                                          [&] { return loadHeightmap(*sphere, most_held_, progress_); }));
+            result_.maps.push_back(loadAt(scene_, shape.where, sphere->map_path, [&] { return loadOne(*sphere); }));
             bad_maps_.pop_back();
             owners_.push_back(sphere);
         }
@@ -129,6 +137,7 @@ class Loader {
 
     const Scene& scene_;
     const MapProgress& progress_;
+    bool coarse_;
     std::uint64_t most_held_ = geo::kLargeMapTexels;
     SceneMaps result_;
     ErrorList errors_;
@@ -164,6 +173,11 @@ std::vector<const ColourMap*> SceneMaps::imagePerShape() const {
 
 SceneMaps loadSceneMaps(const Scene& scene, std::uint64_t memory_limit, const MapProgress& progress) {
     return Loader(scene, memory_limit, progress).load();
+}
+
+SceneMaps loadCoarseMaps(const Scene& scene) {
+    const MapProgress none;
+    return Loader(scene, 0, none, true).load();
 }
 
 }  // namespace dsphere

@@ -17,6 +17,7 @@ struct SceneMaps {
     std::vector<int> image_of_shape;  ///< index in `images`, -1: no image; may be shorter than the shapes
     int light_image = -1;             ///< index in `images` of the infinite light's, -1: it has none
     std::uint64_t memory_limit = 0;   ///< loadSceneMaps'
+    bool coarse = false;              ///< loadCoarseMaps(): some map is a coarse one
 
     /// Those of all maps, in the maps' order.
     Notices notices() const;
@@ -37,5 +38,9 @@ struct SceneMaps {
 /// `memory_limit`: bytes that a map and its copy on the device may take together, else it stays in its file (see
 /// loadHeightmap), and that heights on the device take at most; 0: as many as are there.
 SceneMaps loadSceneMaps(const Scene& scene, std::uint64_t memory_limit = 0, const MapProgress& progress = {});
+
+/// To look at meanwhile: like loadSceneMaps(), but with loadCoarseHeightmap() in place of each map that has yet to be
+/// surveyed.
+SceneMaps loadCoarseMaps(const Scene& scene);
 
 }  // namespace dsphere

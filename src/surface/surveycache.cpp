@@ -151,6 +151,11 @@ void removeOldest() {
 
 }  // namespace
 
+bool SurveyCache::has(std::uint64_t key) {
+    std::error_code error;
+    return !folder().empty() && fs::exists(pathOf(key), error);
+}
+
 std::optional<std::pair<Gaps, Survey>> SurveyCache::load(std::uint64_t key) try {
     if (folder().empty()) return {};
     Reader read(pathOf(key));

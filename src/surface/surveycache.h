@@ -14,6 +14,8 @@ namespace dsphere {
 struct SurveyCache {
     static constexpr std::uint64_t kMostBytes = std::uint64_t(4) << 30;
 
+    /// Whether there is a file of that key, sound or not.
+    static bool has(std::uint64_t key);
     static std::optional<std::pair<Gaps, Survey>> load(std::uint64_t key);
     /// Failure to keep it is silent: it costs time at the next start alone.
     static void keep(std::uint64_t key, const Gaps& gaps, const Survey& survey);

@@ -78,7 +78,7 @@ dvec2 App::share(const dvec2& cursor) const {
 }
 
 int App::targetSamples() const {
-    if (chosen_.view.show != Show::Colour || stage_->document().stand_in) return 1;
+    if (chosen_.view.show != Show::Colour || stage_->document().provisional()) return 1;
     return options_.samples.value_or(std::clamp(stage_->document().original.sampler.pixel_samples, 16, 65536));
 }
 
@@ -138,10 +138,11 @@ bool App::renderSlice() {
     if (draft) schedule_.draftTook(draft_seconds_, draw_seconds_);
     if (!draft) {
         schedule_.sampleDone();
-        if (film.sampleSeconds() * Schedule::kLeastScale * Schedule::kLeastScale > Schedule::kFrameTarget)
+        if (stage_->document().hasMapsInFiles() ||
+            film.sampleSeconds() * Schedule::kLeastScale * Schedule::kLeastScale > Schedule::kFrameTarget)
             stage_->makeDraftsReady(chosen_.view);
     }
-    if (screenshot_wanted_ && !draft && !stage_->document().stand_in) takeScreenshot();
+    if (screenshot_wanted_ && !draft && !stage_->document().provisional()) takeScreenshot();
     // Doubling is when the eye sees a difference.
     int samples = film.samples();
     if (!draft && (samples & (samples - 1)) != 0 && samples != targetSamples()) return false;

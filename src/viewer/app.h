@@ -142,7 +142,7 @@ class App {
     Watcher watcher_;
     std::unique_ptr<Stage> stage_;
     Schedule schedule_;
-    bool incomplete_ = false;    ///< what the stage's stand-in stands for cannot be shown
+    bool incomplete_ = false;    ///< what the stage's provisional document stands for cannot be shown
     bool camera_is_new_ = true;  ///< the renderer has not got it yet
     bool begun_ = false;         ///< the stage's film is being filled or full
     bool published_ = false;     ///< the window shows what the film holds

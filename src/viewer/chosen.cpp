@@ -62,7 +62,7 @@ std::string App::hoverText() {
                             std::abs(at.longitude), at.longitude < 0.0 ? "W" : "E");
         const HeightUnit unit = heightUnitOf(document, shape);
         if (at.stored)
-            text += fmt::format("height {:.6g}{}   ", unit.of(*at.stored),
+            text += fmt::format("height {}{:.6g}{}   ", document.maps.coarse ? "about " : "", unit.of(*at.stored),
                                 unit.name.empty() ? " map units" : " " + unit.name);
     }
     return text + "distance " + lengthUnitOf(document, globe, shape).text(pick->distance);
@@ -105,6 +105,7 @@ void App::fillUi() {
     figures.u = presenter_.u();
     figures.v = presenter_.v();
     figures.busy = loader_.doing();
+    figures.busy_share = loader_.share();
     figures.busy_seconds = window_.now() - busy_since_;
     figures.device = renders_.info().name;
     figures.frame_seconds = frame_seconds_;
@@ -179,6 +180,8 @@ void App::note(bool shown) {
                            {"picture", pictureSize()},
                            {"has_picture", ui_.has_picture},
                            {"stand_in", stage_ && stage_->document().stand_in},
+                           {"coarse", stage_ && stage_->document().maps.coarse},
+                           {"busy_share", figures.busy_share},
                            {"shadows", !stage_ || !begun_ || stage_->shadows()},
                            {"frame_ms", 1e3 * frame_seconds_},
                            {"draw_ms", 1e3 * draw_seconds_},

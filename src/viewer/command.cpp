@@ -87,7 +87,10 @@ bool App::runForFiles(Command command) {
             copyCamera();
             return true;
         case Command::SaveScene:
-            saveScene();
+            if (stage_->document().maps.coarse)
+                say("The map's heights are not known yet. Save once it is surveyed.");
+            else
+                saveScene();
             return true;
         case Command::AddKey:
             addKey();
@@ -100,8 +103,9 @@ bool App::runForFiles(Command command) {
             return true;
         case Command::Screenshot:
             screenshot_wanted_ = true;
+            if (stage_->document().maps.coarse) say("The screenshot is made once the map is surveyed.");
             // A full picture is written at once, a growing one at its next sample.
-            if (begun_ && !schedule_.draft() && schedule_.current() && !stage_->document().stand_in &&
+            if (begun_ && !schedule_.draft() && schedule_.current() && !stage_->document().provisional() &&
                 stage_->film().between() && stage_->film().samples() > 0)
                 takeScreenshot();
             return true;

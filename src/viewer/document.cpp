@@ -1,8 +1,24 @@
 #include "viewer/document.h"
 
+#include <algorithm>
+
+#include "base/error.h"
 #include "viewer/standin.h"
 
 namespace dsphere::viewer {
+
+namespace {
+
+// What is wrong with coarse maps is said, if it is so, of the whole ones.
+SceneMaps readMaps(const Scene& scene, bool quick, const MapProgress& progress) {
+    if (quick) try {
+            return loadCoarseMaps(scene);
+        } catch (const Error&) {
+        }
+    return loadSceneMaps(scene, 0, progress);
+}
+
+}  // namespace
 
 void Document::locate() {
     std::vector<Globe> globes;
@@ -15,6 +31,10 @@ void Document::locate() {
     bodies = std::make_shared<const Bodies>(std::move(globes));
 }
 
+bool Document::hasMapsInFiles() const {
+    return std::ranges::any_of(maps.maps, [](const auto& map) { return map->tiled != nullptr; });
+}
+
 std::vector<std::filesystem::path> Document::files() const {
     std::vector<std::filesystem::path> result = {path};
     for (const auto& map : maps.maps)
@@ -24,15 +44,15 @@ std::vector<std::filesystem::path> Document::files() const {
 }
 
 std::unique_ptr<Document> makeDocument(const std::string& path, const Scene& original, const Scene& scene,
-                                       Levels levels, bool quick) {
+                                       Levels levels, bool quick, const MapProgress& progress) {
     auto made = std::make_unique<Document>();
     made->path = path;
     made->original = original;
     made->scene = scene;
-    made->levels = levels;
     if (quick && traitsOf(scene).needsPaths()) made->stand_in = standIn(scene);
-    made->maps = loadSceneMaps(made->drawn());
-    made->packed = packScene(made->drawn(), made->maps, levels);
+    made->maps = readMaps(made->drawn(), quick, progress);
+    made->levels = made->hasMapsInFiles() ? Levels::All : levels;
+    made->packed = packScene(made->drawn(), made->maps, made->levels);
     made->locate();
     return made;
 }

@@ -32,16 +32,21 @@ struct Document {
 
     Scene& drawn() { return stand_in ? *stand_in : scene; }
     const Scene& drawn() const { return stand_in ? *stand_in : scene; }
+    /// What is drawn stands in for the scene itself, which takes seconds to make ready: by standIn(), or with maps that
+    /// are coarse because they have yet to be surveyed.
+    bool provisional() const { return stand_in || maps.coarse; }
     void locate();
+    /// Whether heights of some map are read while it is drawn.
+    bool hasMapsInFiles() const;
     /// The files that it came from.
     std::vector<std::filesystem::path> files() const;
 };
 
 /// Reads the maps of a file's scene and packs them: everything but the device. `original` is the scene as the file says
-/// it, `scene` as it is shown; `quick`: by its stand-in, if its shaders take long. Throws Error. Takes seconds for
-/// large maps.
+/// it, `scene` as it is shown; `quick`: a provisional one will do. Scenes with maps that stay in their files have all
+/// levels of detail. Throws Error. Takes seconds for large maps: `progress` is told of those that are surveyed.
 std::unique_ptr<Document> makeDocument(const std::string& path, const Scene& original, const Scene& scene,
-                                       Levels levels, bool quick = false);
+                                       Levels levels, bool quick = false, const MapProgress& progress = {});
 
 /// A new packing of the document's maps under the reliefs of another scene, which differs in Rework::Relief at most.
 /// While it is made the document's maps and packing may not be used. Throws Error (InvalidInput), and leaves the

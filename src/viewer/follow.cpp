@@ -20,8 +20,8 @@ void App::follow() {
     Scene wanted;
     const Levels levels =
         chosen_.view.method.detail > 0.0f ? Levels::All : (stage_ ? stage_->document().levels : Levels::Finest);
-    const bool standing_in = stage_ && stage_->document().stand_in;
-    if (stage_ && !standing_in) {
+    const bool provisional = stage_ && stage_->document().provisional();
+    if (stage_ && !provisional) {
         wanted = edited(stage_->document().original, chosen_.edits);
         rework = reworkBetween(stage_->document().scene, wanted);
     }
@@ -30,12 +30,15 @@ void App::follow() {
         shown_edits_ = chosen_.edits;
         viewChanged(true);
     }
-    if (loader_.busy()) return;
+    if (loader_.busy()) {
+        if (!wanted_path_.empty()) loader_.cancel();
+        return;
+    }
     if (!wanted_path_.empty()) {
         const std::string path = std::exchange(wanted_path_, {});
         const bool same = stage_ && path == stage_->document().path;
         loader_.read(path, same ? std::optional(chosen_.edits) : std::nullopt, options_.exaggeration, levels);
-    } else if (standing_in && published_ && !incomplete_) {
+    } else if (provisional && published_ && !incomplete_) {
         tried_edits_ = chosen_.edits;
         loader_.complete(stage_->document(), chosen_.edits, levels);
     } else if (rework == Rework::Reading || (stage_ && levels != stage_->document().levels)) {
@@ -64,11 +67,12 @@ void App::finishWork() {
             cameraMoved(true);
         }
     } catch (const Error& error) {
-        const bool standing_in = stage_ && stage_->document().stand_in;
+        if (error.code() == ExitCode::Interrupted) return;  // for a file that is read next
+        const bool provisional = stage_ && stage_->document().provisional();
         const bool named = !options_.path.empty() && (!stage_ || stage_->document().path == options_.path);
-        if (named && (!stage_ || standing_in)) throw;
+        if (named && (!stage_ || provisional)) throw;
         if (!stage_) return say(error.what(), Message::Kind::Error);
-        incomplete_ = standing_in;
+        incomplete_ = provisional;
         if (relief)
             tellRefused(error);
         else
@@ -102,7 +106,8 @@ void App::tellRefused(const Error& error) {
 void App::show(Loaded loaded) {
     Document& document = *loaded.document;
     const bool same = stage_ && stage_->document().path == document.path;
-    const bool completed = same && stage_->document().stand_in;
+    const bool completed = same && stage_->document().provisional();
+    const bool notices_told = completed && !stage_->document().maps.coarse;
     const bool own_camera = !same || !(stage_->document().original.camera == document.original.camera);
     // Edits made while it was read stay too, unless those before them had to go.
     if (!same || !loaded.lost.empty())
@@ -131,7 +136,7 @@ void App::show(Loaded loaded) {
     else
         control_->setBodies(now.bodies);
     window_.setTitle(std::filesystem::path(now.path).filename().string() + " - dsphere");
-    if (!completed || !loaded.lost.empty()) {
+    if (!notices_told || !loaded.lost.empty()) {
         if (ui_.message.stays()) ui_.message.text.clear();
         tellNotices(loaded.lost);
     }
@@ -140,7 +145,7 @@ void App::show(Loaded loaded) {
         flight_.reset();
     }
     begun_ = published_ = false;
-    cameraMoved(now.stand_in.has_value());  // coarse at first
+    cameraMoved(now.provisional());  // coarse at first
     ui_.untouched.edits = noEdits(now.original, options_.exaggeration);
     fitted_area_ = area();
     if (same) return;
@@ -152,7 +157,7 @@ void App::show(Loaded loaded) {
 void App::tellNotices(const std::vector<std::string>& lost) {
     const Document& document = stage_->document();
     Notices notices = document.original.notices;
-    const Notices of_maps = document.maps.notices();
+    const Notices of_maps = document.maps.coarse ? Notices{} : document.maps.notices();  // of all of them, later
     notices.insert(notices.end(), of_maps.begin(), of_maps.end());
     std::vector<std::string> lines;
     bool warns = !lost.empty();

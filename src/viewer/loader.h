@@ -3,7 +3,9 @@
 #include "viewer/background.h"
 #include "viewer/document.h"
 
+#include <atomic>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -23,6 +25,8 @@ using WarmUp = std::function<void(const SceneTraits& traits)>;
 class Loader {
   public:
     Loader(OpenScene open, WarmUp warm_up) : open_(std::move(open)), warm_up_(std::move(warm_up)) {}
+    /// Waits for the work, which ends early where it can.
+    ~Loader() { cancel(); }
 
     bool busy() const { return loading_.busy() || packing_.busy(); }
     /// Whether a document's maps and packing are in use by the work.
@@ -30,13 +34,18 @@ class Loader {
     const std::string& path() const { return path_; }
     /// What is being done, in words; empty: nothing.
     std::string doing() const;
+    /// Of the maps that are surveyed, 0 to 1; -1: none is.
+    double share() const { return loading_.busy() ? progress_->share.load() : -1.0; }
+    /// A survey ends at once, with an Error (Interrupted); other work goes on.
+    void cancel() { progress_->cancelled = true; }
 
     /// Nothing may be under way for the next four. Reads a file; `kept` edits stay on top of it, unset: all
-    /// displacements are multiplied, and a stand-in will do at first.
+    /// displacements are multiplied, and a provisional document will do at first.
     void read(const std::string& path, const std::optional<Edits>& kept, double exaggeration, Levels levels);
     /// Reads again what a document's scene names, after it has become another by edits.
     void remake(const Document& document, const Edits& edits, Levels levels);
-    /// The same for a document that a stand-in is drawn of: without one, once its shaders are ready.
+    /// The same for a document that is provisional: its maps surveyed, once the shaders of its scene are ready. Takes
+    /// less of the processor's time than the window does.
     void complete(const Document& document, const Edits& edits, Levels levels);
     /// Makes a document's reliefs those of a scene.
     void retune(Document& document, const Scene& scene);
@@ -48,9 +57,16 @@ class Loader {
     const Scene& packedScene() const { return packed_scene_; }
 
   private:
+    MapProgress begin(const char* task, const std::string& path);
+
     OpenScene open_;
     WarmUp warm_up_;
-    bool completing_ = false;
+    const char* task_ = "";  ///< of loading_, in words
+    struct Progress {
+        std::atomic<double> share = -1.0;
+        std::atomic<bool> cancelled = false;
+    };
+    std::shared_ptr<Progress> progress_ = std::make_shared<Progress>();  ///< of loading_
     Background<Loaded> loading_;
     Background<PackedScene> packing_;
     std::string path_;

@@ -14,11 +14,6 @@ namespace {
 
 constexpr std::size_t kStillFilm = 0, kDraftFilm = 1;
 
-MarchMethod withoutShadows(MarchMethod method) {
-    method.shadows = false;
-    return method;
-}
-
 }  // namespace
 
 Stage::Stage(gpu::Device& device, std::unique_ptr<Document> document, const MarchMethod& method)
@@ -26,8 +21,8 @@ Stage::Stage(gpu::Device& device, std::unique_ptr<Document> document, const Marc
       document_(std::move(document)),
       renderer_(device, document_->packed, document_->drawn(), method),
       method_(method) {
-    if (document_->stand_in) return;  // the first picture needs all cores
-    translating_ = makeAhead(device_, document_->packed.traits, withoutShadows(method_), planesOf(Show::Colour));
+    if (document_->provisional()) return;  // the first picture needs all cores
+    translating_ = makeAhead(device_, document_->packed.traits, draftMethod(method_), planesOf(Show::Colour));
 }
 
 void Stage::setCamera(const Camera& camera, int width, int height) {
@@ -57,6 +52,14 @@ void Stage::updateRelief(PackedScene packed, const Scene& scene) {
     renderer_.setCamera(document.scene);
 }
 
+// The cheapest way. Levels of detail are held, so that drafts wait for no heights from files.
+MarchMethod Stage::draftMethod(MarchMethod method) const {
+    method.shadows = false;
+    const bool whole = method.marcher == Marcher::Exact && method.detail == 0.0f;
+    if (whole && document_->hasMapsInFiles()) method.detail = 1.0f;
+    return method;
+}
+
 bool Stage::makeRoom(std::size_t film, std::uint32_t mask, int width, int height) {
     std::optional<LiveFilm>& room = films_[film];
     if (room && room->fits(mask, width, height)) return false;
@@ -79,6 +82,8 @@ void Stage::begin(const ViewSettings& view, Sampling sampling, bool shadows) {
     if (middle > 0) parts.push_back({Marcher::Naive, 0, middle});
     if (middle < width) parts.push_back({view.method, middle, width});
     for (LivePart& part : parts) part.method.shadows = shadows_;
+    const bool quick = film_in_use_ == kDraftFilm && !view.split && document_->hasMapsInFiles();
+    if (quick) parts.front().method = draftMethod(view.method), shadows_ = false;
     film().begin(parts, sampling, std::uint32_t(document_->scene.sampler.seed));
 }
 
@@ -89,7 +94,7 @@ void Stage::makeDraftsReady(const ViewSettings& view) {
     const auto least = [](int side) { return int(std::ceil(Schedule::kLeastScale * side)); };
     const LiveFilm& still = *films_[kStillFilm];
     makeRoom(kDraftFilm, planesOf(Show::Colour), least(still.mostWidth()), least(still.mostHeight()));
-    films_[kDraftFilm]->prepare(withoutShadows(method_));
+    films_[kDraftFilm]->prepare(draftMethod(method_));
 }
 
 std::optional<Pick> Stage::pick(const dvec2& share) {

@@ -36,7 +36,7 @@ class Stage {
     /// Starts a picture with the present camera; without `shadows` light fades beyond horizons instead.
     void begin(const ViewSettings& view, Sampling sampling, bool shadows);
     bool shadows() const { return shadows_; }  ///< of the picture that was started last
-    /// On a device that will need drafts without shadows: so that the first of them is not held up by their shaders,
+    /// For a document that will need drafts by draftMethod(): so that the first of them is not held up by its shaders,
     /// which were translated on another thread meanwhile. Does nothing before these are, or a second time.
     void makeDraftsReady(const ViewSettings& view);
 
@@ -44,6 +44,7 @@ class Stage {
     std::optional<Pick> pick(const dvec2& share);
 
   private:
+    MarchMethod draftMethod(MarchMethod method) const;
     bool makeRoom(std::size_t film, std::uint32_t mask, int width, int height);
 
     gpu::Device& device_;

@@ -164,8 +164,9 @@ void drawProgress(const Ui& ui, const Extent& window) {
     const bool busy = !figures.busy.empty() && (figures.busy_seconds > 0.3 || !ui.has_picture);
     if (!busy && figures.sample_share < 0.0 && ui.has_picture) return;
     const std::string text = busy ? figures.busy : "Rendering the first sample";
-    const std::string line = busy ? fmt::format("{} ...  {:.0f} s", text, figures.busy_seconds)
-                                  : fmt::format("{} ...  {:.0f} %", text, 100.0 * std::max(figures.sample_share, 0.0));
+    const double share = busy ? figures.busy_share : std::max(figures.sample_share, 0.0);
+    const std::string line = share < 0.0 ? fmt::format("{} ...  {:.0f} s", text, figures.busy_seconds)
+                                         : fmt::format("{} ...  {:.0f} %", text, 100.0 * share);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const float unit = float(window.scale), size = (ui.has_picture ? 1.0f : 1.3f) * ImGui::GetFontSize();
     const ImVec2 text_size = ImGui::GetFont()->CalcTextSizeA(size, 1e6f, 0.0f, line.c_str());
@@ -178,7 +179,7 @@ void drawProgress(const Ui& ui, const Extent& window) {
                        IM_COL32(20, 20, 22, 215), 6.0f * unit);
     list.AddText(ImGui::GetFont(), size, ImVec2(middle - 0.5f * text_size.x, low.y - 1.5f * size),
                  IM_COL32(255, 255, 255, 235), line.c_str());
-    drawBar(list, low, high, busy ? -1.0 : figures.sample_share, figures.busy_seconds);
+    drawBar(list, low, high, share, figures.busy_seconds);
 }
 
 void drawClosing(Ui& ui, const Extent& window) {

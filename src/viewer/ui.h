@@ -32,6 +32,7 @@ struct Figures {
     bool moving = false;
     std::string busy;            ///< what is being done on another thread; empty: nothing
     double busy_seconds = 0.0;   ///< since when
+    double busy_share = -1.0;    ///< of that, 0 to 1; -1: unknown
     double sample_share = -1.0;  ///< of a first sample that takes long, 0 to 1; -1: there is none
     float u = 1.0f, v = 1.0f;    ///< the part of the picture's texture that is in use
     std::string hover;           ///< of what is under the cursor; empty beside all objects

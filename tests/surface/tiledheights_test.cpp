@@ -39,6 +39,15 @@ class MemoryMap : public geo::LargeMap {
     SampleKind kind() const override { return kind_; }
     std::optional<int> unknownCode() const override { return unknown_; }
     std::string identity() const override { return "in memory"; }
+    std::vector<float> overview(int columns, int rows) const override {
+        std::vector<float> result;
+        for (int j = 0; j < rows; ++j)
+            for (int i = 0; i < columns; ++i) {
+                const int x = (2 * i + 1) * head_.width / (2 * columns), y = (2 * j + 1) * head_.height / (2 * rows);
+                result.push_back(samples_[std::size_t(y) * std::size_t(head_.width) + std::size_t(x)]);
+            }
+        return result;
+    }
     void read(int x, int y, int width, int height, void* to) const override {
         auto* bytes = static_cast<std::byte*>(to);
         for (int j = y; j < y + height; ++j)

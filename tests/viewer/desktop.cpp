@@ -116,7 +116,7 @@ Viewing::Viewing(const Desktop& desktop, const std::filesystem::path& folder, st
               return words;
           }(),
           {"DISPLAY=" + desktop.display(), "XDG_CACHE_HOME=" + (folder / "cache").string(),
-           "XDG_STATE_HOME=" + (folder / "state").string(), "ASAN_OPTIONS=detect_leaks=0"},
+           "XDG_STATE_HOME=" + (folder / "state").string(), DSPHERE_SHADER_CACHE, "ASAN_OPTIONS=detect_leaks=0"},
           folder, {}, folder / "errors") {}
 
 std::vector<json> Viewing::lines() const {

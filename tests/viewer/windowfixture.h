@@ -49,8 +49,9 @@ class WindowTest : public testing::Test {
         const int samples = std::atoi(frame.at("message").get<std::string>().substr(told.size()).c_str());
         ASSERT_GE(samples, 1);
         std::string command = "cd " + folder_.path().string() +
-                              " && XDG_CACHE_HOME=cache ASAN_OPTIONS=detect_leaks=0 " + DSPHERE_PROGRAM + " render " +
-                              scene + " --quiet -o rendered.png --spp " + std::to_string(samples) + " " + options;
+                              " && XDG_CACHE_HOME=cache " DSPHERE_SHADER_CACHE " ASAN_OPTIONS=detect_leaks=0 " +
+                              DSPHERE_PROGRAM + " render " + scene + " --quiet -o rendered.png --spp " +
+                              std::to_string(samples) + " " + options;
         ASSERT_EQ(std::system(command.c_str()), 0) << command;
         EXPECT_TRUE(readBytes(path("rendered.png")) == readBytes(path(name))) << command;
     }
