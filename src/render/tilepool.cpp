@@ -7,13 +7,14 @@
 #include <algorithm>
 #include <cassert>
 #include <cstring>
+#include <thread>
 
 namespace dsphere {
 
 namespace {
 
 constexpr int kSlotsAcross = 8, kSlotsDown = 4;  // of a layer
-constexpr std::size_t kReadAtOnce = 32;          // tiles that the host holds while they are read
+constexpr std::size_t kReadAtOnce = 64;          // tiles that the host holds while they are read
 
 int shiftOf(int width) {
     return width > 8192 ? 9 : 8;
@@ -161,7 +162,12 @@ bool TilePool::load(std::vector<std::uint32_t> tiles) {
     for (std::size_t first = 0; first < chosen.size(); first += kReadAtOnce) {
         const std::size_t count = std::min(kReadAtOnce, chosen.size() - first);
         std::vector<std::vector<std::uint32_t>> read(count);
-        parallelFor(count, [&](std::size_t i) { read[i] = readTile(slots_[chosen[first + i]].tile); });
+        // Neighbours by one thread: its handle of the file then decodes the block that they share once.
+        const std::size_t threads = std::max(1u, std::thread::hardware_concurrency());
+        parallelFor(threads, [&](std::size_t k) {
+            for (std::size_t i = count * k / threads; i < count * (k + 1) / threads; ++i)
+                read[i] = readTile(slots_[chosen[first + i]].tile);
+        });
         for (std::size_t i = 0; i < count; ++i) uploadTile(chosen[first + i], read[i]);
     }
     loads_ += chosen.size();
