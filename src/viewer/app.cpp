@@ -220,6 +220,7 @@ void App::drawFrame() {
     if (last_draw_ > 0.0 && since < 1.0)
         frame_seconds_ = frame_seconds_ > 0.0 ? 0.8 * frame_seconds_ + 0.2 * since : since;
     last_draw_ = now;
+    drawn_ = drawn_ || published_;
     note(shown);
     frames_due_ = shown ? frames_due_ - 1 : frames_due_;
     applyUi();

@@ -146,6 +146,7 @@ class App {
     bool camera_is_new_ = true;  ///< the renderer has not got it yet
     bool begun_ = false;         ///< the stage's film is being filled or full
     bool published_ = false;     ///< the window shows what the film holds
+    bool drawn_ = false;         ///< a frame has shown a picture of the stage
     ShownRange shown_range_;     ///< of what it shows
     bool screenshot_wanted_ = false;
 

@@ -45,8 +45,12 @@ void App::adopt(const State& wanted) {
     frames_due_ = std::max(frames_due_, 2);
 }
 
+// Shaders of its own, which take long to make, trace the cursor's ray: not before there is a picture, nor for a
+// stand-in.
 std::string App::hoverText() {
-    if (!stage_ || !begun_ || hand_.drag != Hand::Drag::None || loader_.packing() || !window_.cursorWithin()) return {};
+    if (!stage_ || stage_->document().stand_in || !drawn_ || !begun_ || hand_.drag != Hand::Drag::None ||
+        loader_.packing() || !window_.cursorWithin())
+        return {};
     const dvec2 place = share(window_.cursor());
     if (place.x >= 1.0 || place.y >= 1.0) return {};
     std::optional<Pick> pick = stage_->pick(place);

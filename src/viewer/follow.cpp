@@ -144,7 +144,7 @@ void App::show(Loaded loaded) {
         hand_.drag = Hand::Drag::None;
         flight_.reset();
     }
-    begun_ = published_ = false;
+    begun_ = published_ = drawn_ = false;
     cameraMoved(now.provisional());  // coarse at first
     ui_.untouched.edits = noEdits(now.original, options_.exaggeration);
     fitted_area_ = area();

@@ -73,9 +73,9 @@ bool Stage::prepareFilm(Show show, bool draft, int width, int height) {
     return makeRoom(film_in_use_, planesOf(show), width, height);
 }
 
-// Pictures without light have no shadows to leave out.
+// Pictures without light have no shadows to leave out. Shaders of a stand-in have to be made quickly: they have none.
 void Stage::begin(const ViewSettings& view, Sampling sampling, bool shadows) {
-    shadows_ = shadows || (planesOf(view.show) & kColourPlanes) == 0;
+    shadows_ = (shadows && !document_->stand_in) || (planesOf(view.show) & kColourPlanes) == 0;
     const int width = renderer_.crop().width();
     const int middle = view.split ? std::clamp(int(std::lround(view.divider * width)), 0, width) : 0;
     std::vector<LivePart> parts;
