@@ -30,6 +30,7 @@ int runView(const ViewOptions& options) {
     viewer.method = options.scene.marcher;
     viewer.samples = options.scene.samples;
     viewer.exaggeration = options.scene.exaggeration;
+    viewer.exact_size = !options.scene.resolution.empty();
     viewer.open = [scene = options.scene](const std::string& path) {
         SceneOptions named = scene;
         if (path != scene.scene && !isHeightmap(path)) named.map = {};  // they were said of the first map

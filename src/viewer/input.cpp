@@ -88,7 +88,9 @@ void App::handle(const Event& event) {
         case Event::KeyDown:
         case Event::Character: {
             // WantTextInput stays for one frame more than the field has the keys.
-            const bool typed = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
+            const bool closes = event.kind == Event::KeyDown && event.code == GLFW_KEY_ESCAPE &&
+                                (ui_.path.open || ui_.go_to.open);  // with what is typed there
+            const bool typed = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive() && !closes;
             if (typed || event.kind == Event::KeyDown) hand_.tell(event);
             if (event.kind == Event::KeyDown && !typed && (!event.repeated || repeats(commandOf(event)))) key(event);
             break;

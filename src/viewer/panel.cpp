@@ -121,6 +121,9 @@ void commandButton(Ui& ui, const char* name, const char* tip, Command command) {
 void drawButtons(Ui& ui) {
     ImGui::Separator();
     ImGui::Dummy(ImVec2(ImGui::GetContentRegionAvail().x, 0.0f));
+    commandButton(ui, "Open", "Another scene or heightmap, whose path is typed (Ctrl + O).", Command::OpenFile);
+    commandButton(ui, "Go to", "A latitude, longitude and height that are typed (G).", Command::GoTo);
+    commandButton(ui, "Full screen", "Fills the screen, or goes back to the window (F11).", Command::FullScreen);
     commandButton(ui, "Screenshot", "Writes the picture as `dsphere render` makes it (F12).", Command::Screenshot);
     commandButton(ui, "Save scene", "Writes a scene file with this camera and these settings (Ctrl + S).",
                   Command::SaveScene);

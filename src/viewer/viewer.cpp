@@ -21,7 +21,7 @@ void requireSilence(const gpu::Device& device) {
 void runViewer(const ViewerOptions& options) {
     // Mistakes in the scene are told before a window comes up; its maps are read behind one.
     const Film film = options.path.empty() ? Film{} : options.open(options.path).film;
-    Window window(film.width, film.height, "dsphere", statusHeight(1.0));
+    Window window(film.width, film.height, "dsphere", statusHeight(1.0), !options.exact_size);
     const gpu::Presentation here = window.presentation(false), anywhere = window.presentation(true);
     gpu::Device renders({options.device, options.validation, options.apart ? nullptr : &here});
     // A device that cannot present gets a second one beside it, and the pictures go through the host.

@@ -17,6 +17,7 @@ struct ViewerOptions {
     bool validation = false;  ///< messages make runViewer throw at the end
     MarchMethod method;
     double exaggeration = 1.0;          ///< of all displacements, that the panel begins with; `open` leaves it out
+    bool exact_size = false;            ///< the picture has the film's size, however dense the display is
     std::optional<int> samples;         ///< that a still view refines to; unset: the scene's, at least 16
     bool apart = false;                 ///< present with a device of its own, as where the chosen one cannot
     std::string journal;                ///< a file that gets a line of JSON a frame; empty: none

@@ -81,7 +81,7 @@ struct Callbacks {
     }
 };
 
-Window::Window(int width, int height, const std::string& title, int below) {
+Window::Window(int width, int height, const std::string& title, int below, bool grows) {
     if (!glfwInit()) throwNoWindow(lastGlfwError());
     if (!glfwVulkanSupported()) {
         std::string reason = lastGlfwError();
@@ -93,7 +93,12 @@ Window::Window(int width, int height, const std::string& title, int below) {
         float x_scale = 1.0f, y_scale = 1.0f;
         glfwGetMonitorWorkarea(monitor, &x, &y, &most_width, &most_height);
         glfwGetMonitorContentScale(monitor, &x_scale, &y_scale);
-        height += int(std::round(below * std::clamp(double(x_scale), kLeastScale, kGreatestScale)));
+        const double scale = std::clamp(double(x_scale), kLeastScale, kGreatestScale);
+        const int bar = int(std::round(below * scale));
+        const auto scaled = [&](int side) { return int(std::round(side * scale)); };
+        if (grows && scaled(width) <= most_width && scaled(height) + bar <= most_height)
+            width = scaled(width), height = scaled(height);
+        height += bar;
     }
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     window_ = glfwCreateWindow(std::clamp(width, 320, std::max(320, most_width)),

@@ -27,9 +27,10 @@ struct Event {
 /// A window with the events since they were last taken. One at a time: GLFW has one state for the program.
 class Window {
   public:
-    /// So large, but not larger than the display; `below`: pixels at scale 1 that are added to the height. Error
-    /// (NoDevice) without a display, naming `render` as the way.
-    Window(int width, int height, const std::string& title, int below = 0);
+    /// So large, but not larger than the display; `below`: pixels at scale 1 that are added to the height; `grows`: as
+    /// many times larger as the display's scale says, where there is room. Error (NoDevice) without a display, naming
+    /// `render` as the way.
+    Window(int width, int height, const std::string& title, int below = 0, bool grows = false);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;

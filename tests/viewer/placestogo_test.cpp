@@ -51,6 +51,11 @@ TEST_F(WindowTest, GoesToPlaces) {
     const double whole = viewing.waitForStill().at("altitude");
     EXPECT_GT(whole, 1.5) << "all of it";
 
+    hand("key g");
+    viewing.waitFor("a box that is typed into", is("typing", true));
+    hand("type 12");
+    hand("key Escape");
+    viewing.waitFor("no box: Escape closed it with what was typed", is("go_to", false));
     hand("mousemove 320 180 key g");
     click(viewing, "Latitude", "click 1 key ctrl+a type 40");
     click(viewing, "Longitude", "click 1 key ctrl+a type -- -75");
