@@ -103,7 +103,8 @@ void drawPathBox(Ui& ui, const Extent& window) {
 void drawGoTo(Ui& ui, const Extent& window) {
     GoTo& place = ui.go_to;
     centreNext(window, 0.35f, 360.0f);
-    if (ImGui::Begin("Go to a place", &place.open, kDialog)) {
+    // Tab goes from field to field where ImGui may navigate.
+    if (ImGui::Begin("Go to a place", &place.open, kDialog & ~ImGuiWindowFlags_NoNavInputs)) {
         if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
         const std::string height = std::string("%.6g ") + ui.figures.gauges.unit.name();
         bool entered = drawNumber(ui, "Latitude", place.latitude, "%.5f° N", "Degrees; south of the equator negative.");

@@ -57,9 +57,10 @@ TEST_F(WindowTest, GoesToPlaces) {
     hand("key Escape");
     viewing.waitFor("no box: Escape closed it with what was typed", is("go_to", false));
     hand("mousemove 320 180 key g");
-    click(viewing, "Latitude", "click 1 key ctrl+a type 40");
-    click(viewing, "Longitude", "click 1 key ctrl+a type -- -75");
-    click(viewing, "Above the ground", "click 1 key ctrl+a type 0.5");
+    viewing.waitFor("a box that is typed into", is("typing", true));
+    hand("key ctrl+a type 40");
+    hand("key Tab type -- -75");
+    hand("key Tab type 0.5");
     click(viewing, "Go");
     viewing.waitFor("40 N, 75 W", [](const json& frame) {
         return !frame.at("flying") && std::abs(at(frame, "eye", 0) - 40.0) < 1e-6 &&
