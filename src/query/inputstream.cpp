@@ -11,6 +11,7 @@ namespace dsphere::query {
 namespace {
 
 constexpr std::size_t kAhead = 1 << 18;
+constexpr std::size_t kMostLine = 1 << 20;
 
 }  // namespace
 
@@ -52,6 +53,8 @@ std::string InputStream::peek(std::size_t count) {
 bool InputStream::line(std::string& text) {
     std::size_t end;
     while ((end = buffer_.find('\n', begin_)) == std::string::npos) {
+        if (buffer_.size() - begin_ > kMostLine)
+            throwInvalid("{}: has a line of more than {} bytes, which no table of rays has", name_, kMostLine);
         if (fill()) continue;
         if (begin_ == buffer_.size()) return false;
         end = buffer_.size();

@@ -23,7 +23,7 @@ class InputStream {
     std::size_t read(void* target, std::size_t count);
     /// The first bytes, which are read again later; fewer than `count` only if there are no more. At most 4096.
     std::string peek(std::size_t count);
-    /// The next line without its end; false at the end.
+    /// The next line without its end; false at the end. Error (InvalidInput) where it is longer than a MiB.
     bool line(std::string& text);
 
   private:

@@ -88,6 +88,7 @@ TEST_F(RayFile, WhatIsNoArrayOfRaysIsRefusedByName) {
     refuses(npy(header("(1, 6)", "'<f8'", "True"), six), "fortran_order");
     refuses(npy(header("(2, 6)"), six), "its 2 rays of 6 values take");
     refuses(npy("{}\n", six), "has no 'descr'");
+    refuses(npy("{'descr': '<f8', 'shape': (1," + std::string(60000, ' '), six), "has no 'shape'");
     refuses(npy(header("(1, 6)"), six).substr(0, 20), "ends within its NumPy header");
     refuses(std::string("\x93NUMPY\x07\0\0\0", 10), "version 7.0");
 }
@@ -138,6 +139,7 @@ TEST_F(RayFile, WrongCsvIsRefusedWithItsPlace) {
     refuses("ox;oy;oz;dx;dy;dz\n", "rays:1: has no commas: 'ox;oy;oz;dx;dy;dz'");
     refuses("ox oy oz dx dy dz\n", "has no commas");
     refuses("ox,oy,oz,dx,dy,dz,\n", "rays:1: a column has no name (a comma too many?)");
+    refuses("ox,oy,oz,dx,dy,dz\n" + std::string(2 << 20, '0'), "has a line of more than 1048576 bytes");
     refuses("ox,oy,oz,dx,dy,dz\r0,0,4,0,0,-1\r", "end in carriage returns alone");
     refuses(std::string("\xff\xfeo\0x\0", 6), "is neither a NumPy array nor a CSV text");
     refuses(std::string("\x80\x04\x95\xa3\0\0", 6), "is neither a NumPy array nor a CSV text");
