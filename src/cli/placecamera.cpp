@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "reference/ground.h"
 #include "scene/globeview.h"
+#include "scene/shaperange.h"
 
 #include <cmath>
 
@@ -40,6 +41,7 @@ void placeCamera(Scene& scene, const SceneMaps& maps, const SceneOptions& option
                      .distance = ground + altitude,
                      .heading = options.heading.value_or(0.0),
                      .pitch = options.pitch.value_or(-90.0)});
+    if (const auto fault = eyeOutOfRange(scene.camera)) throwUsage("--lookat-latlon: {}", *fault);
 }
 
 void printCameraNotices(const Scene& scene, const SceneMaps& maps) {

@@ -55,7 +55,7 @@ void pixelFilter(Statement s) {
     Words words;
     for (Kind kind : kKinds) words.push_back(nameOf(kind));
     auto [name, p] = readNamed(s, "pixel filter", words);
-    const Kind kind = *std::ranges::find_if(kKinds, [&](Kind known) { return name.text == nameOf(known); });
+    const Kind kind = *std::ranges::find_if(kKinds, [&text = name.text](Kind known) { return text == nameOf(known); });
     FilterSpelling v3 = spelled(p, {"xwidth", "ywidth", "alpha"}), v4 = spelled(p, {"xradius", "yradius", "sigma"});
     PixelFilter filter;
     filter.kind = kind;

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/overloads.h"
 #include "scene/globeview.h"
+#include "scene/shaperange.h"
 #include "scene/transforms.h"
 
 #include <algorithm>
@@ -112,6 +113,7 @@ Scene Motion::at(const Scene& scene, double frame) const {
         if (has(SunLatitude))
             placeSun(moved, std::clamp(value(SunLatitude, frame), -90.0, 90.0), value(SunLongitude, frame));
         if (has(Exaggeration)) exaggerate(moved, value(Exaggeration, frame));
+        if (const auto fault = eyeOutOfRange(moved.camera)) throwInvalid("{}", *fault);
     } catch (const Error& error) {
         throwInvalid("{}: frame {}: {}", name_, frame, error.what());
     }

@@ -10,44 +10,47 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <vector>
 
 namespace dsphere {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::string_view kSpaces = " \t\r";
 
 struct ColumnRule {
     const char* name;
-    double least = -kInfinity, greatest = kInfinity;
+    double least, greatest;
     bool above_least = false;  ///< the least value itself is not allowed
     Between between = Between::Linear;
 };
 
+constexpr double kFar = limits::kGreatestCoordinate;
+constexpr double kTurns = 1e9;          // degrees
+constexpr double kGreatestFrame = 1e9;  // 386 days of film
+constexpr double kLeastStep = 1e-6;     // between the frames of two keys
+
 // In the order of Motion::Column.
 constexpr ColumnRule kRules[] = {
-    {"eye_x"},
-    {"eye_y"},
-    {"eye_z"},
-    {"look_x"},
-    {"look_y"},
-    {"look_z"},
-    {"up_x"},
-    {"up_y"},
-    {"up_z"},
+    {"eye_x", -kFar, kFar},
+    {"eye_y", -kFar, kFar},
+    {"eye_z", -kFar, kFar},
+    {"look_x", -kFar, kFar},
+    {"look_y", -kFar, kFar},
+    {"look_z", -kFar, kFar},
+    {"up_x", -kFar, kFar},
+    {"up_y", -kFar, kFar},
+    {"up_z", -kFar, kFar},
     {"lat", -90.0, 90.0},
-    {"lon", -kInfinity, kInfinity, false, Between::Angle},
-    {"alt", 0.0, kInfinity, true, Between::Logarithm},
-    {"heading", -kInfinity, kInfinity, false, Between::Angle},
+    {"lon", -kTurns, kTurns, false, Between::Angle},
+    {"alt", 0.0, kFar, true, Between::Logarithm},
+    {"heading", -kTurns, kTurns, false, Between::Angle},
     {"pitch", -90.0, 90.0},
-    {"roll", -kInfinity, kInfinity, false, Between::Angle},
-    {"fov", 0.0, 179.99, true},
-    {"sun_lon", -kInfinity, kInfinity, false, Between::Angle},
+    {"roll", -kTurns, kTurns, false, Between::Angle},
+    {"fov", limits::kFov.least, limits::kFov.greatest},
+    {"sun_lon", -kTurns, kTurns, false, Between::Angle},
     {"sun_lat", -90.0, 90.0},
-    {"exaggeration"},
+    {"exaggeration", -kFar, kFar},
     {"exposure", -1000.0, 1000.0},
 };
 constexpr int kFrame = -1;
@@ -159,7 +162,10 @@ class MotionReader {
         const auto at = std::ranges::find(columns_, kFrame);
         const double frame = at == columns_.end() ? row : number(kFrame, words[std::size_t(at - columns_.begin())]);
         double& last = motion_.last_frame_;
-        if (row > 0 && frame <= last) fail("frame", "{} comes after {}; frames must grow", frame, last);
+        if (std::abs(frame) > kGreatestFrame)
+            fail("frame", "expected {} to {}, not {}", -kGreatestFrame, kGreatestFrame, frame);
+        if (row > 0 && !(frame >= last + kLeastStep))
+            fail("frame", "{} comes after {}; frames must grow, by at least {}", frame, last, kLeastStep);
         last = frame;
         for (std::size_t i = 0; i < words.size(); ++i) {
             if (columns_[i] == kFrame || words[i].empty()) continue;

@@ -1,5 +1,6 @@
 #include "base/limits.h"
 #include "scene/directives.h"
+#include "scene/shaperange.h"
 #include "scene/transforms.h"
 
 #include <cmath>
@@ -43,6 +44,9 @@ void requireOnce(Statement s) {
     if (!first) failAt(s.word.where, "{} is given twice, first at {}", s.word.text, earlier->second.text());
 }
 
+constexpr Range kWindow{-limits::kGreatestCoordinate, limits::kGreatestCoordinate};
+constexpr Range kAspectRatio{1.0 / limits::kResolution, limits::kResolution};
+
 void camera(Statement s) {
     requireOnce(s);
     auto [name, p] = readNamed(s, "camera", {"perspective", "orthographic"});
@@ -50,17 +54,11 @@ void camera(Statement s) {
     camera.projection = name.text == "orthographic" ? Projection::Orthographic : Projection::Perspective;
     camera.camera_from_world = s.state.attributes.ctm;
     if (!isInvertible(camera.camera_from_world)) failAt(s.word.where, "the camera's transform is singular");
-    const dmat4 world_from_camera = glm::inverse(camera.camera_from_world);
-    s.state.coordinate_systems["camera"] = world_from_camera;
-    const dvec3 eye = dvec3(world_from_camera[3]) + 0.0;  // no -0
-    if (!(glm::all(glm::lessThanEqual(glm::abs(eye), dvec3(limits::kGreatestCoordinate)))))
-        p.attempt([&] {
-            failAt(s.word.where, "the eye is at {:.3g} {:.3g} {:.3g}; supported: coordinates up to {}", eye.x, eye.y,
-                   eye.z, limits::kGreatestCoordinate);
-        });
+    s.state.coordinate_systems["camera"] = glm::inverse(camera.camera_from_world);
+    if (const auto fault = eyeOutOfRange(camera)) p.attempt([&] { failAt(s.word.where, "{}", *fault); });
     if (camera.projection == Projection::Perspective) readFov(camera, p);
-    camera.screen_window = p.fourNumbers("screenwindow", kAnyNumber);
-    camera.frame_aspect_ratio = p.number("frameaspectratio", kPositive);
+    camera.screen_window = p.fourNumbers("screenwindow", kWindow);
+    camera.frame_aspect_ratio = p.number("frameaspectratio", kAspectRatio);
     ignoreLens(p);
     p.finish();
     if (camera.screen_window && camera.frame_aspect_ratio)

@@ -11,8 +11,9 @@ namespace dsphere {
 
 namespace {
 
+/// NaN where any is.
 double greatest(const dvec3& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    return std::isnan(v.x + v.y + v.z) ? v.x + v.y + v.z : std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
 struct Extent {
@@ -54,6 +55,13 @@ void requireShapeInRange(const Shape& shape) {
     if (!(greatest(place) <= limits::kGreatestCoordinate))
         failAt(shape.where, "the shape lies at {:.3g} {:.3g} {:.3g} in the world; supported: coordinates up to {}",
                place.x, place.y, place.z, limits::kGreatestCoordinate);
+}
+
+std::optional<std::string> eyeOutOfRange(const Camera& camera) {
+    const dvec3 eye = dvec3(glm::inverse(camera.camera_from_world)[3]) + 0.0;  // no -0
+    if (greatest(eye) <= limits::kGreatestCoordinate) return {};
+    return fmt::format("the eye is at {:.3g} {:.3g} {:.3g}; supported: coordinates up to {}", eye.x, eye.y, eye.z,
+                       limits::kGreatestCoordinate);
 }
 
 }  // namespace dsphere

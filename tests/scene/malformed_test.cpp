@@ -137,7 +137,7 @@ TEST(Malformed, Options) {
         {"Camera \"perspective\" \"float lensradius\" 1", "1:41", "is 1; supported: 0, a pinhole"},
         {"Camera \"perspective\" \"float screenwindow\" [-1 1 1 1]", "1:1", "screenwindow is empty"},
         {"Camera \"perspective\" \"float screenwindow\" [-1 1 1]", "1:22", "takes 4 values in [ ], found 3"},
-        {"Camera \"perspective\" \"float frameaspectratio\" 0", "1:47", "greater than 0"},
+        {"Camera \"perspective\" \"float frameaspectratio\" 0", "1:47", "in [9.5"},
         {"Camera \"perspective\" \"float frameaspectratio\" 1 \"float screenwindow\" [-1 1 -1 1]", "1:1", "exclude"},
         {"Film \"sphere\"", "1:6", "unknown film \"sphere\"; supported: image, rgb, gbuffer"},
         {"Film \"rgb\" \"integer xresolution\" 0", "1:34", "is 0; supported: in [1, 1048576]"},
