@@ -24,7 +24,8 @@ enum class ExitCode : int {
 /// `code()`.
 class Error : public std::runtime_error {
   public:
-    Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+    /// Zero bytes in the message, which what() would end at, become "\0".
+    Error(ExitCode code, const std::string& message);
     ExitCode code() const { return code_; }
 
   private:

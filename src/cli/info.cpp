@@ -48,7 +48,7 @@ Json describeSceneFile(const std::string& path) {
 }
 
 std::string plainText(const Json& value) {
-    if (value.is_string()) return value.get<std::string>();
+    if (value.is_string()) return printable(value.get<std::string>());
     if (value.is_null()) return "none";
     if (value.is_number_float()) return fmt::format("{:.8g}", value.get<double>());
     return value.dump();

@@ -1,6 +1,7 @@
 #include "cli/parts.h"
 
 #include "base/error.h"
+#include "base/limits.h"
 #include "bench/environment.h"
 #include "render/shards.h"
 
@@ -182,14 +183,19 @@ Part readPart(const std::filesystem::path& path) {
     part.metadata = file.metadata();
     const std::string picture = need<std::string>(part.metadata, kPicture, path);
     Box& box = part.of.picture;
-    if (std::sscanf(picture.c_str(), "%d %d %d %d", &box.x0, &box.y0, &box.x1, &box.y1) != 4 || isEmpty(box))
+    if (std::sscanf(picture.c_str(), "%d %d %d %d", &box.x0, &box.y0, &box.x1, &box.y1) != 4 || box.x0 < 0 ||
+        box.y0 < 0 || box.x1 > limits::kResolution || box.y1 > limits::kResolution || isEmpty(box))
         throwInvalid("{}: {} is {:?}, expected the corners of a picture", path.string(), kPicture, picture);
     part.of.samples = need<int>(part.metadata, kSamples, path);
     part.of.first = part.first = need<int>(part.metadata, kFirst, path);
     part.of.turns = need<int>(part.metadata, kTurns, path);
-    part.last = part.first + need<int>(part.metadata, "samplesPerPixel", path);
-    if (part.first < 0 || part.last < part.first || part.last > part.of.samples ||
-        (part.last == part.first && part.of.samples > 0) || common(part.data, box) != part.data)
+    const int count = need<int>(part.metadata, "samplesPerPixel", path);
+    for (const int number : {part.of.samples, part.first, count})
+        if (number < 0 || number > limits::kPixelSamples)
+            throwInvalid("{}: its header counts {} samples, expected 0 to {}", path.string(), number,
+                         limits::kPixelSamples);
+    part.last = part.first + count;
+    if (part.last > part.of.samples || (count == 0 && part.of.samples > 0) || common(part.data, box) != part.data)
         throwInvalid("{}: its header says {} of {} samples, {} of {}: no part is like that", path.string(),
                      samplesText(part.first, part.last), part.of.samples, pixelsText(part.data), pixelsText(box));
     return part;

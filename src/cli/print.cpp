@@ -28,6 +28,18 @@ void openClosedStreams() {
         if (fcntl(stream, F_GETFD) < 0) open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
 }
 
+std::string printable(std::string_view text) {
+    constexpr std::size_t kMost = 4096;
+    std::string result;
+    for (const char c : text.substr(0, kMost)) {
+        if ((c >= 0 && c < ' ' && c != '\t') || c == '\x7f')
+            result += fmt::format("\\x{:02x}", int(c));
+        else
+            result += c;
+    }
+    return text.size() > kMost ? result + "..." : result;
+}
+
 void printText(std::string_view text) {
     if (output_error == 0 && std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) keepError();
 }

@@ -16,6 +16,9 @@ namespace dsphere::cli {
 /// and takes what is said for its contents.
 void openClosedStreams();
 
+/// Words out of a file for a terminal: control characters, which could steer it, as \x1b, and at most 4096 bytes.
+std::string printable(std::string_view text);
+
 void printText(std::string_view text);
 void printErrorText(std::string_view text);
 

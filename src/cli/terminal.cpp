@@ -85,9 +85,9 @@ namespace {
 void printMessage(const char* kind, const char* colour, const std::string& message) {
     const char* no_colour = std::getenv("NO_COLOR");
     if (onTerminal() && !(no_colour && *no_colour))
-        printErr("dsphere: \033[{}m{}:\033[0m {}\n", colour, kind, message);
+        printErr("dsphere: \033[{}m{}:\033[0m {}\n", colour, kind, printable(message));
     else
-        printErr("dsphere: {}: {}\n", kind, message);
+        printErr("dsphere: {}: {}\n", kind, printable(message));
 }
 
 }  // namespace
