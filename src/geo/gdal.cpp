@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <set>
 
@@ -74,13 +75,14 @@ GdalMessages::~GdalMessages() {
 }
 
 std::string GdalMessages::reason() const {
-    return first_.empty() ? "no reason given" : first_;
+    return first_.empty() ? "GDAL gives no reason; the file may be truncated or damaged" : first_;
 }
 
 void GdalMessages::keep(CPLErr kind, CPLErrorNum, const char* message) {
     auto* self = static_cast<GdalMessages*>(gdal().CPLGetErrorHandlerUserData());
     if (!self || kind < CE_Failure || !self->first_.empty()) return;
     self->first_ = message;
+    std::ranges::replace(self->first_, '\n', ' ');
 }
 
 }  // namespace dsphere::geo

@@ -68,7 +68,7 @@ class GdalMessages {
     GdalMessages(const GdalMessages&) = delete;
     GdalMessages& operator=(const GdalMessages&) = delete;
 
-    /// The first error, or "no reason given".
+    /// The first error, or that there was none.
     std::string reason() const;
     bool failed() const { return !first_.empty(); }
 

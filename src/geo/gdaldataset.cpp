@@ -56,6 +56,21 @@ std::string chooseGrid(const OpenMap& map) {
                  nameOf(map.file.format), names.empty() ? "holds no grid" : "holds the grids " + all);
 }
 
+// GDAL makes room for a whole block before it reads one, whatever the file's length.
+void checkBlocks(const OpenMap& map) {
+    constexpr std::uint64_t kMostBytes = std::uint64_t(1) << 31;
+    for (int k = 1; k <= map.bands(); ++k) {
+        const GDALRasterBandH band = gdal().GDALGetRasterBand(map.dataset.get(), k);
+        int width = 0, height = 0;
+        gdal().GDALGetBlockSize(band, &width, &height);
+        const int bits = std::max(1, gdal().GDALGetDataTypeSizeBits(gdal().GDALGetRasterDataType(band)));
+        if (width < 1 || height < 1 ||
+            std::uint64_t(width) * std::uint64_t(height) > kMostBytes * 8 / std::uint64_t(bits))
+            throwInvalid("{}: {}: is stored in blocks of {}x{} texels of {} bits, expected at most {} bytes a block",
+                         map.name(), nameOf(map.file.format), width, height, bits, kMostBytes);
+    }
+}
+
 }  // namespace
 
 const char* OpenMap::source() const {
@@ -78,6 +93,7 @@ OpenMap openMap(const PlacedFile& file, bool all_cores) {
         map.dataset = openWith(file.format, map.opened, all_cores);
     }
     if (!map.dataset || map.bands() == 0) refuse();
+    checkBlocks(map);
     if (file.format == PlacedFile::Format::Pds3) map.label.emplace(file.label);
     return map;
 }

@@ -103,7 +103,7 @@ class GdalLargeMap : public LargeMap {
         gdal().CSLDestroy(list);
         std::erase_if(files, [](const auto& file) { return !std::filesystem::is_regular_file(file); });
         std::ranges::sort(files);
-        files.erase(std::ranges::unique(files).begin(), files.end());
+        files.erase(std::unique(files.begin(), files.end()), files.end());
         return files;
     }
 

@@ -151,7 +151,7 @@ std::optional<PlacedFile> placedFile(const fs::path& path) {
 
 bool looksLikeMap(const fs::path& path) try {
     constexpr std::array kExtensions{".lbl",  ".img", ".cub", ".nc",  ".grd", ".asc",
-                                     ".fits", ".fit", ".hgt", ".vrt", ".jp2"};
+                                     ".fits", ".fit", ".hgt", ".hdr", ".vrt", ".jp2"};
     if (dsphere::looksLikeMap(path)) return true;
     if (extensionOf(path) == ".pbrt") return false;
     if (std::ranges::find(kExtensions, extensionOf(path)) != kExtensions.end()) return true;

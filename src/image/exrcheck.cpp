@@ -17,7 +17,7 @@
 namespace dsphere {
 namespace {
 
-constexpr std::uint32_t kPartsFlag = 0x1000;
+constexpr std::uint32_t kMagic = 20000630, kPartsFlag = 0x1000;
 constexpr std::size_t kMaxName = 255, kMaxParts = 1024;
 
 std::int32_t loadInt(const std::uint8_t* bytes) {
@@ -160,6 +160,7 @@ void checkExrHeaders(InputFile& file) {
     file.rewind();
     if (file.remaining() < start.size()) return;
     file.read(start.data(), start.size());
+    if (load32(&start[0], std::endian::little) != kMagic) throwInvalid("it does not begin as EXR files do");
     const std::uint32_t flags = load32(&start[4], std::endian::little);
     std::vector<Part> parts(1);
     while (readPart(file, parts.back()) && (flags & kPartsFlag)) {

@@ -130,7 +130,8 @@ RawColour readRawColour(const std::filesystem::path& path) {
 }
 
 bool looksLikeMap(const std::filesystem::path& path) try {
-    constexpr std::array kExtensions{".png", ".pgm", ".ppm", ".pnm", ".pfm", ".tif", ".tiff", ".exr", ".gtx"};
+    constexpr std::array kExtensions{".png", ".pgm", ".ppm",  ".pnm", ".pbm", ".pam",
+                                     ".pfm", ".tif", ".tiff", ".exr", ".gtx"};
     if (std::ranges::find(kExtensions, extensionOf(path)) != kExtensions.end()) return true;
     if (!std::filesystem::is_regular_file(path)) return false;
     InputFile file(path);

@@ -45,7 +45,7 @@ struct SceneHash {
     template <typename... T>
     void add(const std::variant<T...>& one) {
         add(one.index());
-        std::visit([this](const auto& value) { add(value); }, one);
+        std::visit([this](const auto& value) { this->add(value); }, one);
     }
     template <typename... T>
     void addAll(const T&... values) {
