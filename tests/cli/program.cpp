@@ -102,8 +102,10 @@ Outcome launch(const Launch& launch) {
             usleep(10000);
         kill(child, launch.signal);
     }
-    waitpid(child, &status, 0);
+    rusage usage = {};
+    wait4(child, &status, 0, &usage);
     outcome.code = codeOf(status);
+    outcome.peak_kib = usage.ru_maxrss;
     outcome.out = out.text();
     if (!launch.terminal) outcome.err = err.text();
     return outcome;

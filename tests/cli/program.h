@@ -28,6 +28,7 @@ struct Launch {
 struct Outcome {
     int code = -1;  ///< exit code, or minus the signal that ended it
     std::string out, err;
+    long peak_kib = 0;  ///< most memory that it held at a time
 };
 
 /// Error (Failure) when it cannot be started.

@@ -9,8 +9,8 @@ class ResourcesTest : public CliTest {
   protected:
     void expectDeviceLost(std::vector<std::string> words, int wait) {
         Launch launch{.arguments = std::move(words)};
-        launch.environment = {"VK_LAYER_PATH=" DSPHERE_FAULT_LAYER, "VK_INSTANCE_LAYERS=VK_LAYER_DSPHERE_fault",
-                              "DSPHERE_LOSE_AT_WAIT=" + std::to_string(wait)};
+        launch.environment = {"VK_LAYER_PATH=" DSPHERE_INJECT_LAYER, "VK_INSTANCE_LAYERS=VK_LAYER_DSPHERE_inject",
+                              "DSPHERE_INJECT=vkWaitForFences:" + std::to_string(wait) + ":-4"};
         Outcome outcome = run(launch);
         EXPECT_EQ(outcome.code, 1) << "at wait " << wait << ": " << outcome.err;
         EXPECT_TRUE(holds(outcome.err, "VK_ERROR_DEVICE_LOST")) << "at wait " << wait;
