@@ -19,6 +19,10 @@ if(DSPHERE_SANITIZE)
     add_compile_options(-fsanitize=${DSPHERE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=${DSPHERE_SANITIZE})
 endif()
+option(DSPHERE_FUZZ "Build the fuzz targets of tests/fuzz, with Clang" OFF)
+if(DSPHERE_FUZZ)
+    add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
 
 # dsphere_library(name sources... LINK targets...): one library a folder of src/.
 function(dsphere_library name)
