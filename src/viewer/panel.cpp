@@ -119,16 +119,18 @@ void commandButton(Ui& ui, const char* name, const char* tip, Command command) {
 }
 
 void drawButtons(Ui& ui) {
+    const auto beginRow = [] { ImGui::Dummy(ImVec2(ImGui::GetContentRegionAvail().x, 0.0f)); };
     ImGui::Separator();
-    ImGui::Dummy(ImVec2(ImGui::GetContentRegionAvail().x, 0.0f));
+    beginRow();
     commandButton(ui, "Open", "Another scene or heightmap, whose path is typed (Ctrl + O).", Command::OpenFile);
     commandButton(ui, "Go to", "A latitude, longitude and height that are typed (G).", Command::GoTo);
+    commandButton(ui, "First view", "Back to where the view began (R).", Command::ResetView);
     commandButton(ui, "Full screen", "Fills the screen, or goes back to the window (F11).", Command::FullScreen);
     commandButton(ui, "Screenshot", "Writes the picture as `dsphere render` makes it (F12).", Command::Screenshot);
     commandButton(ui, "Save scene", "Writes a scene file with this camera and these settings (Ctrl + S).",
                   Command::SaveScene);
     commandButton(ui, "Copy camera", "Puts the camera on the clipboard as pbrt text (Ctrl + C).", Command::CopyCamera);
-    commandButton(ui, "First view", "Back to where the view began (R).", Command::ResetView);
+    beginRow();
     commandButton(ui, "Undo", "Takes the last change back (Ctrl + Z).", Command::Undo);
     commandButton(ui, "Redo", "Does it again (Ctrl + Shift + Z).", Command::Redo);
     commandButton(ui, "Reset all", "All settings as the file was opened; the view stays.", Command::ResetAll);
