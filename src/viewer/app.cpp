@@ -18,7 +18,7 @@ namespace {
 // A draft is shown whole; a still gives way to the hand, which is looked at after each of its submissions.
 constexpr double kDraftSlice = 0.060, kStillSlice = 0.012;
 constexpr double kDraftSubmit = kDraftSlice, kStillSubmit = 0.006;  ///< one submission's aim
-constexpr double kIdleWait = 0.1, kRefiningRedraw = 0.25;
+constexpr double kIdleWait = 0.25, kBusyWait = 0.02, kRefiningRedraw = 0.25;
 constexpr double kMessageSeconds = 5.0, kFade = 0.5;
 
 }  // namespace
@@ -256,7 +256,7 @@ void App::fadeMessage() {
 void App::run() {
     last_loop_ = last_poll_ = window_.now();
     while (!closing_ && !options_.interrupted()) {
-        listen(idle() && heard_.empty() ? kIdleWait : 0.0);
+        listen(!idle() || !heard_.empty() ? 0.0 : loader_.busy() ? kBusyWait : kIdleWait);
         const std::vector<Event> events = std::exchange(heard_, {});
         latency_.handled();
         for (const Event& event : events) handle(event);
