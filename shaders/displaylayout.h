@@ -26,12 +26,12 @@ using vec4 = glm::vec4;
 #define DISPLAY_OBJECTS 64
 
 struct DisplayParams {
-    int width, height;               // of the picture, from the film's first pixel
-    uint layer, id_layer;            // of the film: where the values begin, and the shapes' (not of SHOW_COLOUR)
-    uint place_layer;                // where world positions begin, of SHOW_s that need them
-    float gain;                      // of the stored sums of light
-    float low, high;  // the values that the scale of colours begins and ends at; of SHOW_RESIDUAL their log2
-    float spacing;    // of lines: degrees (SHOW_GRATICULE), heights (SHOW_HEIGHTS)
+    int width, height;     // of the picture, from the film's first pixel
+    uint layer, id_layer;  // of the film: where the values begin, and the shapes' (not of SHOW_COLOUR)
+    uint place_layer;      // where world positions begin, of SHOW_s that need them
+    float gain;            // of the stored sums of light
+    float low, high;       // the values that the scale of colours begins and ends at; of SHOW_RESIDUAL their log2
+    float spacing;         // of lines: degrees (SHOW_GRATICULE), heights (SHOW_HEIGHTS)
 };
 
 // What is known of an object beyond the film. Displaced spheres alone have heights.

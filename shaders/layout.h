@@ -203,8 +203,8 @@ struct ObjectData {
     float image_shift;                     // turns from a longitude of 0 back to the image's left edge
     float pixel_size, pixel_growth;  // a pixel spans size + growth * distance from the ray's start at least, units of R
     int first_triangle, triangle_count;  // KIND_MESH
-    float mean_radius;               // of a displaced sphere, units of R; others': negative
-    vec4 texture_scale;  // rgb: factor of the ramp's or the image's colour
+    float mean_radius;                   // of a displaced sphere, units of R; others': negative
+    vec4 texture_scale;                  // rgb: factor of the ramp's or the image's colour
 };
 
 struct LightData {
