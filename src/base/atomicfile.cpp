@@ -11,6 +11,7 @@
 #include <cstring>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "base/descriptor.h"
 #include "base/error.h"
@@ -31,14 +32,14 @@ int systemError() {
 
 /// Copies all of a file to another, from its first byte; errno of a failure, or 0.
 int copyAll(int from, int to) {
-    char block[65536];
+    std::vector<char> block(65536);  // stacks may be as small as that
     for (off_t at = 0;;) {
-        const ssize_t got = pread(from, block, sizeof block, at);
+        const ssize_t got = pread(from, block.data(), block.size(), at);
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) return got < 0 ? systemError() : 0;
         at += got;
         for (ssize_t done = 0; done < got;) {
-            const ssize_t written = ::write(to, block + done, std::size_t(got - done));
+            const ssize_t written = ::write(to, block.data() + done, std::size_t(got - done));
             if (written < 0 && errno != EINTR) return systemError();
             done += std::max<ssize_t>(written, 0);
         }

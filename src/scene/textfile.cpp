@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <vector>
 
 namespace dsphere {
 
@@ -21,17 +22,17 @@ template <typename... Args>
 
 std::string readAll(int descriptor, const std::string& name, std::size_t most) {
     std::string text;
-    char block[65536];
+    std::vector<char> block(65536);  // stacks may be as small as that
     for (;;) {
         // A read would go on after a signal, a poll does not.
         pollfd wait{descriptor, POLLIN, 0};
         if (poll(&wait, 1, -1) < 0 && errno == EINTR)
             throw Error(ExitCode::Interrupted, fmt::format("interrupted while {} was read", name));
-        const ssize_t count = read(descriptor, block, sizeof block);
+        const ssize_t count = read(descriptor, block.data(), block.size());
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) fail("cannot read {}: {}", name, lastSystemError());
         if (count == 0) return text;
-        text.append(block, std::size_t(count));
+        text.append(block.data(), std::size_t(count));
         if (text.size() > most)
             throw TextTooLong(
                 fmt::format("{} is too long: a scene holds at most {} bytes of text, with all that it includes", name,

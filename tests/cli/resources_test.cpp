@@ -36,5 +36,15 @@ TEST_F(ResourcesTest, LittleMemoryIsAnError) {
     EXPECT_FALSE(exists("a.exr"));
 }
 
+TEST_F(ResourcesTest, ASmallStackIsEnoughWithoutADevice) {
+    for (const std::string command : {"info", "generate"}) {
+        Launch launch{.arguments = {"info", "planet.pbrt"}};
+        if (command == "generate") launch.arguments = {"generate", "terraces", "-o", "made.pgm", "--size", "8,4"};
+        launch.limits = {{RLIMIT_STACK, 64 << 10}};
+        Outcome outcome = run(launch);
+        EXPECT_EQ(outcome.code, 0) << command << ": " << outcome.err;
+    }
+}
+
 }  // namespace
 }  // namespace dsphere::test

@@ -1,8 +1,8 @@
 // A Vulkan layer that makes one call fail: DSPHERE_INJECT=vkQueueSubmit:3:-4 has the third call of vkQueueSubmit,
 // counted over the process from 1, return -4, VK_ERROR_DEVICE_LOST, without reaching the driver. Calls that succeed but
 // for a remark (VK_INCOMPLETE, VK_SUBOPTIMAL_KHR) do reach it. Once the device is lost, all that waits for it or gives
-// it work says so too. DSPHERE_INJECT_LOG names a file that gets a line "injected NAME" then, and at the end of the
-// process a line "calls NAME NUMBER" for each function that was called.
+// it work says so too. DSPHERE_INJECT_LOG names a file that gets a line "injected NAME NUMBER" then, and lines "calls
+// NAME NUMBER" at calls 1, 2, 4 and so on of a function, and at the end of the process.
 
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
@@ -87,6 +87,7 @@ template <typename Call>
 VkResult answer(Function f, const Call& call) {
     static const Wanted wanted;
     const int number = ++calls[f];
+    if ((number & (number - 1)) == 0) log("calls", kNames[f], number);  // a process may end without an end
     if (lost && saysLost(f)) return VK_ERROR_DEVICE_LOST;
     if (number != wanted.call || wanted.name != kNames[f]) return call();
     log("injected", kNames[f], number);
