@@ -2,15 +2,20 @@
 
 #include "bench/environment.h"
 #include "cli/partrows.h"
+#include "render/devicefilm.h"
 #include "tests/fuzz/scratch.h"
 
 #include <algorithm>
 
 using namespace dsphere;
 
-// In place of bench/environment.cpp, which needs a device.
+// In place of bench/environment.cpp and render/devicefilm.cpp, which need a device.
 std::string bench::buildCommit() {
     return "fuzz";
+}
+void dsphere::takeMean(Image& sums, int samples) {
+    for (Channel& channel : sums.channels)
+        for (float& value : channel.floats()) value /= float(samples);
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
