@@ -153,7 +153,7 @@ TEST_F(MergeTest, RefusesPartsOfOtherProgramsAndDamagedHeaders) {
     refuses("partOfPicture", "0 0 32 48", "no part is like that");
     refuses("partOfPicture", "0 0 65 48", "other sizes or crops of the whole picture");
     refuses("partFirstSample", 1, "samples 1-4 of 4 samples");
-    refuses("partFirstSample", -1, "no part is like that");
+    refuses("partFirstSample", -1, "its header counts -1 samples, expected 0 to 65536");
     refuses("partTurns", "many", "its header lacks partTurns");
     refuses("samplesPerPixel", 3, "sample 3 of the pixels 32-63 x 0-47 is in no part");
     render({"-o", "t1.exr", "--tile", "1/1", "--spp", "3"});
