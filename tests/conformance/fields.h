@@ -45,7 +45,7 @@
     I(image_y)                 \
     I(image_layer)             \
     I(image_centres_y)         \
-    F(image_shift) F(pixel_size) F(pixel_growth) I(first_triangle) I(triangle_count) F(pad0) V(texture_scale)
+    F(image_shift) F(pixel_size) F(pixel_growth) I(first_triangle) I(triangle_count) F(mean_radius) V(texture_scale)
 
 #define LIGHT_FIELDS(V, F, I) \
     V(position)               \
