@@ -2,7 +2,7 @@
 
 #include "gpu/device.h"
 #include "gpu/pipelinestore.h"
-#include "render/pass.h"
+#include "render/filmtracer.h"
 
 #include <chrono>
 #include <future>

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "render/marchpipeline.h"
-#include "render/pass.h"
+#include "render/filmtracer.h"
 #include "render/renderer.h"
 
 namespace dsphere::cli {

@@ -40,10 +40,10 @@ void Renderer::setCrop(const Box& crop) {
     spans_ = shownSpans(packed_->traits, state_.objects, crop_);
 }
 
-void Renderer::runTiles(Pass& pass, TileRun& run, int sample, std::uint32_t seed, const Progress& progress) {
+void Renderer::runTiles(FilmTracer& tracer, TileRun& run, int sample, std::uint32_t seed, const Progress& progress) {
     while (!run.done()) {
         const auto started = std::chrono::steady_clock::now();
-        stats_.device_seconds += run.step(pass, sample, seed, kSubmitTarget);
+        stats_.device_seconds += run.step(tracer, sample, seed, kSubmitTarget);
         stats_.wall_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
         if (progress && !progress(run.share())) throwInterrupted();
     }
@@ -67,19 +67,19 @@ void Renderer::setPacking(const PackedScene& packed) {
     std::erase_if(pipelines_, [](const auto& one) { return one.first.first.marcher == Marcher::Lipschitz; });
 }
 
-PassPipelines& Renderer::pipelines(const MarchMethod& method, std::uint32_t mask) {
+FilmPipelines& Renderer::pipelines(const MarchMethod& method, std::uint32_t mask) {
     auto found = pipelines_.find({method, mask});
     if (found == pipelines_.end())
         found = pipelines_
                     .emplace(std::pair(method, mask),
-                             PassPipelines(device_, packed_->traits, safeStride(*packed_, method), method, mask))
+                             FilmPipelines(device_, packed_->traits, safeStride(*packed_, method), method, mask))
                     .first;
     return found->second;
 }
 
-void Renderer::countWork(const Pass& pass) {
-    stats_.retried_pixels += pass.retried();
-    stats_.given_up_pixels += pass.givenUp();
+void Renderer::countWork(const FilmTracer& tracer) {
+    stats_.retried_pixels += tracer.retried();
+    stats_.given_up_pixels += tracer.givenUp();
     stats_.tiles_read = device_scene_.tiles().loads();
     stats_.tile_bytes = stats_.tiles_read * device_scene_.tiles().tileBytes();
 }
@@ -87,14 +87,14 @@ void Renderer::countWork(const Pass& pass) {
 SampleSums Renderer::renderSums(SampleSums start, int from, int to, std::uint32_t seed, const Progress& progress,
                                 std::uint32_t planes) {
     DeviceFilm film(device_, crop_.width(), crop_.height(), planes);
-    Pass pass(device_, pipelines(method_, planes), device_scene_, film.image());
-    TileRun run(makeTiles(spans_, 0, crop_.width(), pass.columns()), crop_.x0, crop_.y0);
+    FilmTracer tracer(device_, pipelines(method_, planes), device_scene_, film.image());
+    TileRun run(makeTiles(spans_, 0, crop_.width(), tracer.columns()), crop_.x0, crop_.y0);
     const SampleFilm adder = {
         .begin = [&](const Image* sums) { sums ? film.write(*sums) : film.clear(); },
-        .add = [&](int sample, const Progress& share) { runTiles(pass, run, sample, seed, share); },
+        .add = [&](int sample, const Progress& share) { runTiles(tracer, run, sample, seed, share); },
         .read = [&] { return film.read(crop_, display_); }};
     SampleSums sums = addSamples(adder, std::move(start), from, to, progress);
-    countWork(pass);
+    countWork(tracer);
     return sums;
 }
 
@@ -124,10 +124,10 @@ Image Renderer::renderColour(int samples, std::uint32_t seed, const Progress& pr
 
 Image Renderer::renderPlanes(std::uint32_t mask, const Progress& progress) {
     DeviceFilm film(device_, crop_.width(), crop_.height(), mask);
-    Pass pass(device_, pipelines(method_, mask), device_scene_, film.image());
-    TileRun run(makeTiles(spans_, 0, crop_.width(), pass.columns()), crop_.x0, crop_.y0);
-    runTiles(pass, run, -1, 0, progress);  // the pixels' centres
-    countWork(pass);
+    FilmTracer tracer(device_, pipelines(method_, mask), device_scene_, film.image());
+    TileRun run(makeTiles(spans_, 0, crop_.width(), tracer.columns()), crop_.x0, crop_.y0);
+    runTiles(tracer, run, -1, 0, progress);  // the pixels' centres
+    countWork(tracer);
     Image image = film.read(crop_, display_);
     fillMisses(image, run.tiles());
     return image;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/devicescene.h"
-#include "render/pass.h"
+#include "render/filmtracer.h"
 #include "render/planes.h"
 #include "render/scenerenderer.h"
 #include "render/spans.h"
@@ -34,7 +34,7 @@ class Renderer final : public SceneRenderer {
 
     const RenderStats& stats() const override { return stats_; }
     /// For pictures of the caller's own: what this renderer's are made with.
-    PassPipelines& pipelines(const MarchMethod& method, std::uint32_t mask);
+    FilmPipelines& pipelines(const MarchMethod& method, std::uint32_t mask);
     const DeviceScene& deviceScene() const { return device_scene_; }
     const Box& crop() const { return crop_; }
     const std::vector<Span>& spans() const { return spans_; }  ///< one a row of the crop
@@ -42,8 +42,8 @@ class Renderer final : public SceneRenderer {
     std::uint64_t imageBytes() const override { return device_scene_.imageBytes(); }
 
   private:
-    void runTiles(Pass& pass, TileRun& run, int sample, std::uint32_t seed, const Progress& progress);
-    void countWork(const Pass& pass);
+    void runTiles(FilmTracer& tracer, TileRun& run, int sample, std::uint32_t seed, const Progress& progress);
+    void countWork(const FilmTracer& tracer);
     void fillMisses(Image& image, const std::vector<Box>& tiles) const;
 
     gpu::Device& device_;
@@ -51,7 +51,7 @@ class Renderer final : public SceneRenderer {
     PackedState state_;
     DeviceScene device_scene_;
     MarchMethod method_;
-    std::map<std::pair<MarchMethod, std::uint32_t>, PassPipelines> pipelines_;  ///< by method and planes
+    std::map<std::pair<MarchMethod, std::uint32_t>, FilmPipelines> pipelines_;  ///< by method and planes
     Box crop_, display_;
     std::vector<Span> spans_;
     RenderStats stats_;

@@ -31,12 +31,12 @@ std::vector<Box> makeTiles(const std::vector<Span>& spans, int x0, int x1, int c
     return tiles;
 }
 
-// As many tiles a round as fit the time target, at the rate of the last round, and the pass. The last tiles may have
-// been cheap: so at most twice as many as last time, unless that took much less than the target. Where one tile is too
-// much, a part of it, by whole workgroups: pixels keep their places in those.
-double TileRun::step(Pass& pass, int sample, std::uint32_t seed, double target) {
+// As many tiles a round as fit the time target, at the rate of the last round, and one run of the tracer takes. The
+// last tiles may have been cheap: so at most twice as many as last time, unless that took much less than the target.
+// Where one tile is too much, a part of it, by whole workgroups: pixels keep their places in those.
+double TileRun::step(FilmTracer& tracer, int sample, std::uint32_t seed, double target) {
     std::vector<layout::RenderParams> round;
-    double most = pass.pixelSeconds() > 0.0 ? target / pass.pixelSeconds() : 1.0;
+    double most = tracer.pixelSeconds() > 0.0 ? target / tracer.pixelSeconds() : 1.0;
     if (last_seconds_ > 0.0) {
         const double share = target / last_seconds_;
         most = double(last_pixels_) * std::min(share, std::clamp(share / 4.0, 2.0, 16.0));
@@ -46,10 +46,11 @@ double TileRun::step(Pass& pass, int sample, std::uint32_t seed, double target) 
         Box box = tiles_[next_];
         box.x0 += columns_done_;
         std::uint64_t more = std::uint64_t(box.width()) * std::uint64_t(box.height());
-        if (!round.empty() && (double(pixels) + 0.5 * double(more) > most || pixels + more > Pass::kMostPixels)) break;
-        if (pass.pixelSeconds() > 0.0 && double(more) > 2.0 * most) {
-            const int fitting = int(most / double(box.height())) / pass.columns() * pass.columns();
-            box.x1 = std::min(box.x1, box.x0 + std::max(fitting, pass.columns()));
+        if (!round.empty() && (double(pixels) + 0.5 * double(more) > most || pixels + more > FilmTracer::kMostPixels))
+            break;
+        if (tracer.pixelSeconds() > 0.0 && double(more) > 2.0 * most) {
+            const int fitting = int(most / double(box.height())) / tracer.columns() * tracer.columns();
+            box.x1 = std::min(box.x1, box.x0 + std::max(fitting, tracer.columns()));
             more = std::uint64_t(box.width()) * std::uint64_t(box.height());
         }
         round.push_back({box.x0, box.y0, box.x1, box.y1, film_x_, film_y_, sample, seed});
@@ -60,12 +61,12 @@ double TileRun::step(Pass& pass, int sample, std::uint32_t seed, double target) 
     }
     // Rounds are sized by the host's clock, which counts the heights that are read from files meanwhile.
     const auto started = std::chrono::steady_clock::now();
-    const double device_seconds = pass.run(round);
+    const double device_seconds = tracer.run(round);
     last_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     last_pixels_ = pixels;
     pixels_ += last_pixels_;
     seconds_ += device_seconds;
-    if (done() && pixels_ > 0) pass.pixelSeconds() = seconds_ / double(pixels_);
+    if (done() && pixels_ > 0) tracer.pixelSeconds() = seconds_ / double(pixels_);
     return device_seconds;
 }
 

@@ -1,15 +1,15 @@
 #pragma once
 
-#include "render/pass.h"
+#include "render/filmtracer.h"
 #include "render/spans.h"
 
 #include <vector>
 
 namespace dsphere {
 
-/// Boxes that hold all spans (one a row) within the columns [x0, x1); none holds more pixels than Pass::run() takes.
-/// They begin at x0 or at multiples of `columns`, which are those of a workgroup: so the pixels that share one do not
-/// depend on where within a crop's first workgroup an object begins.
+/// Boxes that hold all spans (one a row) within the columns [x0, x1); none holds more pixels than FilmTracer::run()
+/// takes. They begin at x0 or at multiples of `columns`, which are those of a workgroup: so the pixels that share one
+/// do not depend on where within a crop's first workgroup an object begins.
 std::vector<Box> makeTiles(const std::vector<Span>& spans, int x0, int x1, int columns);
 
 /// The tiles of one sample of a picture, handed to the device in rounds of bounded time.
@@ -25,9 +25,9 @@ class TileRun {
     /// Back to the first tile, for the next sample.
     void rewind() { *this = TileRun(std::move(tiles_), film_x_, film_y_); }
 
-    /// Submits the next tiles, or a part of one, as much as takes about `target` seconds by Pass::pixelSeconds(), and
-    /// waits; returns the device's seconds. While those are unknown, one tile.
-    double step(Pass& pass, int sample, std::uint32_t seed, double target);
+    /// Submits the next tiles, or a part of one, as much as takes about `target` seconds by FilmTracer::pixelSeconds(),
+    /// and waits; returns the device's seconds. While those are unknown, one tile.
+    double step(FilmTracer& tracer, int sample, std::uint32_t seed, double target);
 
   private:
     std::vector<Box> tiles_;

@@ -127,7 +127,7 @@ bool App::renderSlice() {
         if (!go_on) startPicture(want == Schedule::Want::Draft);
     }
     const bool draft = schedule_.draft();
-    LiveFilm& film = stage_->film();
+    ProgressiveFilm& film = stage_->film();
     bool done = false;
     while (!done && (draft || !called()) && window_.now() - start < (draft ? kDraftSlice : kStillSlice)) {
         done = film.step(draft ? kDraftSubmit : kStillSubmit);

@@ -33,7 +33,7 @@ std::uint32_t layerOf(std::uint32_t mask, int plane) {
     return std::uint32_t(std::popcount(mask & (planeBit(plane) - 1u)));
 }
 
-layout::DisplayParams paramsOf(const LiveFilm& film, const DisplaySettings& settings) {
+layout::DisplayParams paramsOf(const ProgressiveFilm& film, const DisplaySettings& settings) {
     const std::uint32_t mask = film.mask();
     layout::DisplayParams params = {};
     params.width = film.width();
@@ -81,7 +81,7 @@ void Display::choose(std::uint32_t shown) {
     shown_ = shown;
 }
 
-void Display::bind(LiveFilm& film) {
+void Display::bind(ProgressiveFilm& film) {
     const gpu::StorageImage& image = film.film().image();
     const std::uint64_t bytes = 4 * std::uint64_t(image.width()) * image.height();
     if (!pixels_ || pixels_->size() < bytes) {
@@ -95,7 +95,7 @@ void Display::bind(LiveFilm& film) {
     film_ = &film;
 }
 
-void Display::convert(LiveFilm& film, const DisplaySettings& settings, const layout::DisplayWorld& world) {
+void Display::convert(ProgressiveFilm& film, const DisplaySettings& settings, const layout::DisplayWorld& world) {
     choose(std::uint32_t(settings.show));
     bind(film);
     const layout::DisplayParams params = paramsOf(film, settings);

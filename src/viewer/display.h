@@ -2,7 +2,7 @@
 
 #include "gpu/commands.h"
 #include "gpu/pipeline.h"
-#include "render/live.h"
+#include "render/progressivefilm.h"
 #include "shaders/displaylayout.h"
 #include "viewer/show.h"
 
@@ -23,14 +23,14 @@ class Display {
     explicit Display(gpu::Device& device);
 
     /// The film's complete samples, between() two. `world` is of the document that the film shows.
-    void convert(LiveFilm& film, const DisplaySettings& settings, const layout::DisplayWorld& world);
+    void convert(ProgressiveFilm& film, const DisplaySettings& settings, const layout::DisplayWorld& world);
     /// The film that was converted last is going.
     void forget() { film_ = nullptr; }
     const gpu::Buffer& pixels() const { return *pixels_; }
 
   private:
     void choose(std::uint32_t shown);
-    void bind(LiveFilm& film);
+    void bind(ProgressiveFilm& film);
 
     gpu::Device& device_;
     std::optional<gpu::ComputePipeline> pipeline_;  ///< for shown_
@@ -39,7 +39,7 @@ class Display {
     gpu::Buffer world_;
     std::optional<gpu::Buffer> pixels_;
     std::optional<gpu::BindingSet> set_;
-    const LiveFilm* film_ = nullptr;  ///< that set_ binds
+    const ProgressiveFilm* film_ = nullptr;  ///< that set_ binds
 };
 
 }  // namespace dsphere::viewer

@@ -14,13 +14,13 @@ constexpr std::uint32_t kPlanes =
 Picker::Picker(gpu::Device& device, Renderer& renderer)
     : renderer_(renderer),
       film_(device, 1, 1, kPlanes),
-      pass_(device, renderer.pipelines(Marcher::Exact, kPlanes), renderer.deviceScene(), film_.image()) {}
+      tracer_(device, renderer.pipelines(Marcher::Exact, kPlanes), renderer.deviceScene(), film_.image()) {}
 
 std::optional<Pick> Picker::at(int x, int y) {
     const Box& crop = renderer_.crop();
     if (x < 0 || y < 0 || x >= crop.width() || y >= crop.height()) return {};
     const layout::RenderParams pixel = {0, 0, 1, 1, crop.x0 + x, crop.y0 + y, -1, 0};
-    pass_.run({&pixel, 1});
+    tracer_.run({&pixel, 1});
     Image image = film_.read({0, 0, 1, 1}, {0, 0, 1, 1});
     std::uint32_t id = image.at("id").uints()[0];
     if (id == 0) return {};

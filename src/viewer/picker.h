@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/live.h"
+#include "render/progressivefilm.h"
 
 #include <optional>
 
@@ -23,7 +23,7 @@ class Picker {
   private:
     Renderer& renderer_;
     DeviceFilm film_;
-    Pass pass_;
+    FilmTracer tracer_;
 };
 
 }  // namespace dsphere::viewer

@@ -61,7 +61,7 @@ MarchMethod Stage::draftMethod(MarchMethod method) const {
 }
 
 bool Stage::makeRoom(std::size_t film, std::uint32_t mask, int width, int height) {
-    std::optional<LiveFilm>& room = films_[film];
+    std::optional<ProgressiveFilm>& room = films_[film];
     if (room && room->fits(mask, width, height)) return false;
     room.reset();
     room.emplace(device_, renderer_, width, height, mask);
@@ -78,10 +78,10 @@ void Stage::begin(const ViewSettings& view, Sampling sampling, bool shadows) {
     shadows_ = (shadows && !document_->stand_in) || (planesOf(view.show) & kColourPlanes) == 0;
     const int width = renderer_.crop().width();
     const int middle = view.split ? std::clamp(int(std::lround(view.divider * width)), 0, width) : 0;
-    std::vector<LivePart> parts;
+    std::vector<FilmPart> parts;
     if (middle > 0) parts.push_back({Marcher::Naive, 0, middle});
     if (middle < width) parts.push_back({view.method, middle, width});
-    for (LivePart& part : parts) part.method.shadows = shadows_;
+    for (FilmPart& part : parts) part.method.shadows = shadows_;
     const bool quick = film_in_use_ == kDraftFilm && !view.split && document_->hasMapsInFiles();
     if (quick) parts.front().method = draftMethod(view.method), shadows_ = false;
     film().begin(parts, sampling, std::uint32_t(document_->scene.sampler.seed));
@@ -92,7 +92,7 @@ void Stage::makeDraftsReady(const ViewSettings& view) {
     translating_.get();
     if (view.method != method_ || view.show != Show::Colour) return;
     const auto least = [](int side) { return int(std::ceil(Schedule::kLeastScale * side)); };
-    const LiveFilm& still = *films_[kStillFilm];
+    const ProgressiveFilm& still = *films_[kStillFilm];
     makeRoom(kDraftFilm, planesOf(Show::Colour), least(still.mostWidth()), least(still.mostHeight()));
     films_[kDraftFilm]->prepare(draftMethod(method_));
 }

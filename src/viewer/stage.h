@@ -31,8 +31,8 @@ class Stage {
     /// to go. Each has its own, since drafts are smaller: a film is cleared as a whole.
     bool prepareFilm(Show show, bool draft, int width, int height);
     /// That was taken last.
-    LiveFilm& film() { return *films_[film_in_use_]; }
-    const LiveFilm& film() const { return *films_[film_in_use_]; }
+    ProgressiveFilm& film() { return *films_[film_in_use_]; }
+    const ProgressiveFilm& film() const { return *films_[film_in_use_]; }
     /// Starts a picture with the present camera; without `shadows` light fades beyond horizons instead.
     void begin(const ViewSettings& view, Sampling sampling, bool shadows);
     bool shadows() const { return shadows_; }  ///< of the picture that was started last
@@ -50,7 +50,7 @@ class Stage {
     gpu::Device& device_;
     std::unique_ptr<Document> document_;
     Renderer renderer_;
-    std::array<std::optional<LiveFilm>, 2> films_;  ///< of stills, of drafts
+    std::array<std::optional<ProgressiveFilm>, 2> films_;  ///< of stills, of drafts
     std::size_t film_in_use_ = 0;
     bool shadows_ = true;
     std::optional<Picker> picker_;

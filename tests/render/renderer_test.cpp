@@ -1,4 +1,4 @@
-#include "render/live.h"
+#include "render/progressivefilm.h"
 #include "tests/render/world.h"
 #include "tests/support/keepdriver.h"
 
@@ -68,7 +68,7 @@ TEST_F(RendererTest, PathsDoNotDependOnTurns) {
         ASSERT_EQ(cut.channels.size(), 3u);
         ASSERT_NO_FATAL_FAILURE(expectPart(cut, picture));
     }
-    LiveFilm live(device_, renderer, 131, kHeight, kColourPlanes);
+    ProgressiveFilm live(device_, renderer, 131, kHeight, kColourPlanes);
     live.begin({{Marcher::Exact, 0, 131}}, Sampling::Jittered, 5);
     for (int samples = 1; samples <= 3;) samples += live.step(1e-9);
     const Image grown = live.read();
@@ -134,7 +134,7 @@ TEST_F(RendererTest, BaselinesAreColouredByHeightToo) {
 TEST_F(RendererTest, LivePicturesEqualRenders) {
     World made = world(planet() + "Translate 1.3 0 0\nShape \"sphere\" \"float radius\" .2\n");
     Renderer renderer(device_, made.packed, made.scene, Marcher::Exact);
-    LiveFilm live(device_, renderer, kWidth + 9, kHeight + 5, kColourPlanes);
+    ProgressiveFilm live(device_, renderer, kWidth + 9, kHeight + 5, kColourPlanes);
     live.begin({{Marcher::Exact, 0, 31}, {Marcher::Exact, 31, kWidth}}, Sampling::Jittered, 5);
     for (int samples = 1; samples <= 3; ++samples) {
         while (!live.step(1e-9)) EXPECT_LT(live.samples(), samples);

@@ -1,6 +1,6 @@
 // Pictures that go on where an earlier one stopped.
 
-#include "render/live.h"
+#include "render/progressivefilm.h"
 #include "render/shards.h"
 #include "tests/render/world.h"
 #include "tests/support/expecterror.h"
@@ -129,7 +129,7 @@ TEST_F(GoingOn, RangesAndTilesMakeThePictureOfOneRender) {
                         << channel.name << ' ' << x << ' ' << y;
     }
     renderer.setCrop(picture);
-    LiveFilm live(device_, renderer, kWidth, kHeight, kColourPlanes);
+    ProgressiveFilm live(device_, renderer, kWidth, kHeight, kColourPlanes);
     live.begin({{Marcher::Exact, 0, kWidth}}, Sampling::Jittered, 9);
     for (int samples = 0; samples < 41;) samples += live.step(1.0);
     const Image shown = live.read(), mean = pictureOf(whole);

@@ -60,7 +60,7 @@ void App::takeScreenshot() {
     screenshot_wanted_ = false;
     try {
         const std::filesystem::path path = freeName() + ".png";
-        LiveFilm& film = stage_->film();
+        ProgressiveFilm& film = stage_->film();
         if (chosen_.view.show == Show::Colour) {
             writePng(path, film.read(), {.exposure = double(chosen_.tone.exposure)});
         } else {

@@ -14,10 +14,10 @@ namespace dsphere {
 
 /// The pipelines that fill a film with the planes of one mask: search_filter, and search_full for the pixels that it
 /// leaves; or search_baseline, which leaves none, as a filter without a displaced sphere leaves none.
-class PassPipelines {
+class FilmPipelines {
   public:
     /// `stride`: safeStride(). Returns once first() is made.
-    PassPipelines(gpu::Device& device, const SceneTraits& traits, float stride, const MarchMethod& method,
+    FilmPipelines(gpu::Device& device, const SceneTraits& traits, float stride, const MarchMethod& method,
                   std::uint32_t mask);
 
     const gpu::ComputePipeline& first() const { return *first_; }
@@ -49,13 +49,14 @@ std::future<void> warmAhead(gpu::Device& device, const SceneTraits& traits, cons
                             std::uint32_t mask);
 
 /// One film, filled in two steps: tiles by the one pipeline, then the pixels that it left by the other.
-class Pass {
+class FilmTracer {
   public:
     /// Film pixels that one run() can take: a list of 64 MiB if it must hold them all.
     static constexpr std::uint64_t kMostPixels = 1u << 23;
 
-    /// Warms the pipelines up. All that is given must outlive the pass.
-    Pass(gpu::Device& device, PassPipelines& pipelines, const DeviceScene& device_scene, const gpu::StorageImage& film);
+    /// Warms the pipelines up. All that is given must outlive the tracer.
+    FilmTracer(gpu::Device& device, FilmPipelines& pipelines, const DeviceScene& device_scene,
+               const gpu::StorageImage& film);
 
     /// Renders the tiles, one RenderParams each, of at most kMostPixels together; returns the device's seconds.
     double run(std::span<const layout::RenderParams> tiles);
@@ -63,15 +64,15 @@ class Pass {
     std::uint64_t retried() const { return leftovers_.retried(); }
     /// Pixels for which a search was given up, so far.
     std::uint64_t givenUp() const { return leftovers_.givenUp(); }
-    /// PassPipelines::columns().
+    /// FilmPipelines::columns().
     int columns() const { return pipelines_.columns(); }
-    /// PassPipelines::pixel_seconds.
+    /// FilmPipelines::pixel_seconds.
     double& pixelSeconds() { return pipelines_.pixel_seconds; }
 
   private:
     void warmUp();
 
-    PassPipelines& pipelines_;
+    FilmPipelines& pipelines_;
     Leftovers leftovers_;
     gpu::BindingSet set_;
     gpu::Batch batch_;

@@ -11,7 +11,7 @@
 namespace dsphere {
 
 /// Columns [x0, x1) of a picture and how they are marched.
-struct LivePart {
+struct FilmPart {
     MarchMethod method;
     int x0 = 0, x1 = 0;
 };
@@ -20,15 +20,15 @@ struct LivePart {
 enum class Sampling { Jittered, Centres };
 
 /// A picture that grows sample by sample between other work: sample i of it is sample i of Renderer::renderColour.
-class LiveFilm {
+class ProgressiveFilm {
   public:
     /// Holds pictures of up to width x height. The renderer must outlive it.
-    LiveFilm(gpu::Device& device, Renderer& renderer, int width, int height, std::uint32_t mask);
+    ProgressiveFilm(gpu::Device& device, Renderer& renderer, int width, int height, std::uint32_t mask);
 
     /// Makes ready what begin() needs of a method, so that it does not take its time then.
     void prepare(const MarchMethod& method);
     /// Starts a picture with the renderer's camera and film, which must fit.
-    void begin(std::vector<LivePart> parts, Sampling sampling, std::uint32_t seed);
+    void begin(std::vector<FilmPart> parts, Sampling sampling, std::uint32_t seed);
     /// One submission of about `target` seconds at most; true if it completed a sample, which takes several.
     bool step(double target);
 
@@ -53,21 +53,21 @@ class LiveFilm {
     Image read() const;
 
   private:
-    Pass& passOf(const MarchMethod& method);
+    FilmTracer& tracerOf(const MarchMethod& method);
     void endBlock();
     Image sums() const;
 
     gpu::Device& device_;
     Renderer& renderer_;
     DeviceFilm film_;
-    std::map<MarchMethod, Pass> passes_;
+    std::map<MarchMethod, FilmTracer> tracers_;
     // Beyond a block of samples: the blocks that are complete, and where the next one is rendered. film_ then holds the
     // sum of as many samples as it was last asked for.
     SampleSums blocks_;
     int shown_samples_ = 0;
     std::optional<DeviceFilm> block_film_;
-    std::map<MarchMethod, Pass> block_passes_;
-    std::vector<LivePart> parts_;
+    std::map<MarchMethod, FilmTracer> block_tracers_;
+    std::vector<FilmPart> parts_;
     std::vector<TileRun> runs_;  ///< one a part
     Box box_;
     std::size_t part_ = 0;

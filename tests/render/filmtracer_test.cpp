@@ -1,4 +1,4 @@
-#include "render/pass.h"
+#include "render/filmtracer.h"
 
 #include "render/devicefilm.h"
 #include "render/planes.h"
@@ -26,15 +26,15 @@ TEST_F(PassTest, TheRetryTakesMoreThanARowOfGroups) {
     const int rows = 272, width = 272;
     const std::uint32_t mask = planeBit(PLANE_T) | planeBit(PLANE_ID);
     World made = poleWorld(width, rows);
-    PassPipelines pipelines(device_, made.packed.traits, 1.0f, Marcher::Exact, mask);
+    FilmPipelines pipelines(device_, made.packed.traits, 1.0f, Marcher::Exact, mask);
     const DeviceScene scene(device_, made.packed);
     const Box box{0, 0, width, rows};
     const auto render = [&](int rows_at_once) {
         DeviceFilm film(device_, width, rows, mask);
-        Pass pass(device_, pipelines, scene, film.image());
+        FilmTracer tracer(device_, pipelines, scene, film.image());
         for (int y = 0; y < rows; y += rows_at_once)
-            pass.run(std::vector{layout::RenderParams{0, y, width, std::min(y + rows_at_once, rows), 0, 0, -1, 0}});
-        EXPECT_EQ(pass.retried(), box.width() * std::uint64_t(box.height()));
+            tracer.run(std::vector{layout::RenderParams{0, y, width, std::min(y + rows_at_once, rows), 0, 0, -1, 0}});
+        EXPECT_EQ(tracer.retried(), box.width() * std::uint64_t(box.height()));
         return film.read(box, box);
     };
     const Image whole = render(rows), parts = render(4);

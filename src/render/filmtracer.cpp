@@ -1,4 +1,4 @@
-#include "render/pass.h"
+#include "render/filmtracer.h"
 
 #include "base/error.h"
 #include "gpu/device.h"
@@ -24,7 +24,7 @@ std::uint32_t groups(int pixels, int group) {
 }
 
 std::uint64_t pixelsAtOnce(const gpu::StorageImage& film) {
-    return std::min(std::uint64_t(film.width()) * film.height(), Pass::kMostPixels);
+    return std::min(std::uint64_t(film.width()) * film.height(), FilmTracer::kMostPixels);
 }
 
 std::vector<gpu::Resource> bindAll(const DeviceScene& scene, const gpu::StorageImage& film,
@@ -44,7 +44,7 @@ const Shaders kBaseline = {kVariants_render_baseline, kVariants_render_baseline}
 
 // Drivers take long over each, and can take both at once. Those of CPUs leave most of the work for the first dispatch:
 // the first pipeline's is best begun as soon as possible, beside the other's translation.
-PassPipelines::PassPipelines(gpu::Device& device, const SceneTraits& traits, float stride, const MarchMethod& method,
+FilmPipelines::FilmPipelines(gpu::Device& device, const SceneTraits& traits, float stride, const MarchMethod& method,
                              std::uint32_t mask) {
     const auto make = [&device, traits, stride, method, mask](const Shaders& shaders, bool listed = false) {
         return makeMarchPipeline(device, traits, stride, shaders.of(traits), Shader::Render, method, mask, listed);
@@ -67,7 +67,7 @@ std::future<void> makeAhead(gpu::Device& device, const SceneTraits& traits, cons
                             std::uint32_t mask) {
     if (method.marcher != Marcher::Exact) return {};
     return std::async(std::launch::async,
-                      [&device, traits, method, mask] { PassPipelines(device, traits, 1.0f, method, mask).full(); });
+                      [&device, traits, method, mask] { FilmPipelines(device, traits, 1.0f, method, mask).full(); });
 }
 
 // Of a scene of nothing: a driver compiles for the kinds of what is bound, not for what is in it. Images of several
@@ -76,15 +76,15 @@ std::future<void> warmAhead(gpu::Device& device, const SceneTraits& traits, cons
                             std::uint32_t mask) {
     if (method.marcher != Marcher::Exact || traits.images) return makeAhead(device, traits, method, mask);
     return std::async(std::launch::async, [&device, traits, method, mask] {
-        PassPipelines pipelines(device, traits, 1.0f, method, mask);
+        FilmPipelines pipelines(device, traits, 1.0f, method, mask);
         const DeviceScene nothing(device, PackedScene());
         const DeviceFilm film(device, 1, 1, mask);
-        Pass(device, pipelines, nothing, film.image());
+        FilmTracer(device, pipelines, nothing, film.image());
     });
 }
 
-Pass::Pass(gpu::Device& device, PassPipelines& pipelines, const DeviceScene& device_scene,
-           const gpu::StorageImage& film)
+FilmTracer::FilmTracer(gpu::Device& device, FilmPipelines& pipelines, const DeviceScene& device_scene,
+                       const gpu::StorageImage& film)
     : pipelines_(pipelines),
       leftovers_(device, device_scene.tiles(), pixelsAtOnce(film)),
       set_(device, pipelines.first(), bindAll(device_scene, film, leftovers_), "render"),
@@ -93,7 +93,7 @@ Pass::Pass(gpu::Device& device, PassPipelines& pipelines, const DeviceScene& dev
 }
 
 // Drivers compile at the first dispatch: one without pixels pays for it, outside of the timing.
-void Pass::warmUp() {
+void FilmTracer::warmUp() {
     const auto dispatchNothing = [&](const gpu::ComputePipeline& pipeline) {
         batch_.bind(pipeline, set_);
         batch_.push(layout::RenderParams{});
@@ -109,7 +109,7 @@ void Pass::warmUp() {
     }
 }
 
-double Pass::run(std::span<const layout::RenderParams> tiles) {
+double FilmTracer::run(std::span<const layout::RenderParams> tiles) {
     if (tiles.empty()) return 0.0;
     leftovers_.reset(batch_);
     batch_.bind(pipelines_.first(), set_);

@@ -1,28 +1,28 @@
-#include "render/live.h"
+#include "render/progressivefilm.h"
 
 #include <algorithm>
 #include <cassert>
 
 namespace dsphere {
 
-LiveFilm::LiveFilm(gpu::Device& device, Renderer& renderer, int width, int height, std::uint32_t mask)
+ProgressiveFilm::ProgressiveFilm(gpu::Device& device, Renderer& renderer, int width, int height, std::uint32_t mask)
     : device_(device), renderer_(renderer), film_(device, width, height, mask) {}
 
-void LiveFilm::prepare(const MarchMethod& method) {
-    if (!passes_.contains(method))
-        passes_.try_emplace(method, device_, renderer_.pipelines(method, film_.mask()), renderer_.deviceScene(),
-                            film_.image());
+void ProgressiveFilm::prepare(const MarchMethod& method) {
+    if (!tracers_.contains(method))
+        tracers_.try_emplace(method, device_, renderer_.pipelines(method, film_.mask()), renderer_.deviceScene(),
+                             film_.image());
 }
 
-void LiveFilm::begin(std::vector<LivePart> parts, Sampling sampling, std::uint32_t seed) {
+void ProgressiveFilm::begin(std::vector<FilmPart> parts, Sampling sampling, std::uint32_t seed) {
     box_ = renderer_.crop();
     assert(!parts.empty() && box_.width() <= int(film_.image().width()) &&
            box_.height() <= int(film_.image().height()));
     parts_ = std::move(parts);
     runs_.clear();
-    for (const LivePart& part : parts_) {
+    for (const FilmPart& part : parts_) {
         prepare(part.method);
-        const int columns = passes_.at(part.method).columns();
+        const int columns = tracers_.at(part.method).columns();
         runs_.emplace_back(makeTiles(renderer_.spans(), part.x0, part.x1, columns), box_.x0, box_.y0);
     }
     film_.clear();
@@ -35,16 +35,16 @@ void LiveFilm::begin(std::vector<LivePart> parts, Sampling sampling, std::uint32
     seconds_ = 0.0;
 }
 
-Pass& LiveFilm::passOf(const MarchMethod& method) {
-    if (blocks_.samples() == 0) return passes_.at(method);
-    return block_passes_
+FilmTracer& ProgressiveFilm::tracerOf(const MarchMethod& method) {
+    if (blocks_.samples() == 0) return tracers_.at(method);
+    return block_tracers_
         .try_emplace(method, device_, renderer_.pipelines(method, film_.mask()), renderer_.deviceScene(),
                      block_film_->image())
         .first->second;
 }
 
 // Blocks are added up as Renderer::renderSums() does it, so that the picture is the same.
-void LiveFilm::endBlock() {
+void ProgressiveFilm::endBlock() {
     const DeviceFilm& block = blocks_.samples() > 0 ? *block_film_ : film_;
     blocks_.append({samples_ - kSumBlock, samples_, block.read(box_, box_)});
     if (!block_film_)
@@ -53,7 +53,7 @@ void LiveFilm::endBlock() {
         block_film_->clear();
 }
 
-Image LiveFilm::sums() const {
+Image ProgressiveFilm::sums() const {
     assert(between() && samples_ > 0);
     if (blocks_.samples() == 0) return film_.read(box_, box_);
     Image sums = blocks_.total();
@@ -61,7 +61,7 @@ Image LiveFilm::sums() const {
     return sums;
 }
 
-const DeviceFilm& LiveFilm::film() {
+const DeviceFilm& ProgressiveFilm::film() {
     if (blocks_.samples() > 0 && shown_samples_ != samples_) {
         film_.write(sums());
         shown_samples_ = samples_;
@@ -69,9 +69,9 @@ const DeviceFilm& LiveFilm::film() {
     return film_;
 }
 
-bool LiveFilm::step(double target) {
+bool ProgressiveFilm::step(double target) {
     TileRun& run = runs_[part_];
-    if (!run.done()) seconds_ += run.step(passOf(parts_[part_].method), first_ + samples_, seed_, target);
+    if (!run.done()) seconds_ += run.step(tracerOf(parts_[part_].method), first_ + samples_, seed_, target);
     if (!run.done()) return false;
     if (++part_ < runs_.size()) return false;
     part_ = 0;
@@ -83,7 +83,7 @@ bool LiveFilm::step(double target) {
     return true;
 }
 
-Image LiveFilm::read() const {
+Image ProgressiveFilm::read() const {
     Image image = sums();
     image.display = {0, 0, box_.width(), box_.height()};
     takeMean(image, samples_);
