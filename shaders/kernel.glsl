@@ -105,7 +105,7 @@ void leaveForRetry(const ivec2 pixel, const real safe_s) {
     leaveForRetry(pixelBits(pixel), safe_s);
 }
 
-// Film planes of a pixel whose ray, or another that it needs, is in doubt are left to the other precision.
+// Film planes of a pixel whose ray, or another that it needs, is in doubt are left to the retry, which has 48 bits.
 void finish(const Task task, const Gathered gathered, const int sample_index) {
     if (missesTile()) {
         leaveForTile(pixelBits(task.pixel));

@@ -29,7 +29,7 @@ struct Gathered {
     Searches searches;
 };
 
-// But the point.
+// Nothing gathered yet; `point` is left unset.
 Gathered nothingGathered() {
     Gathered result;
     result.albedo = vec3(real(0));
@@ -329,7 +329,7 @@ bool shades(const int k, const SurfacePoint point, const vec3 place, const bool 
     return blocks(object, map, secondaryRay(start, offset, ends), kinds, searches);
 }
 
-// Whether any object is, but `except`: -1, or a plain one that shines itself.
+// Whether an object other than `except` stands between; `except` is -1, or a plain object that is the light itself.
 bool isShaded(const SurfacePoint point, const vec3 place, const bool ends, const int except, INOUT(Searches) searches) {
     if (kObjectCount == 1) return shades(0, point, place, ends, ~0, searches) && except != 0;
     bool shaded = false;

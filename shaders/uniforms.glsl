@@ -10,7 +10,7 @@ const int kPlainObject = kOnlyPlain < 0 ? 0 : kOnlyPlain;
 
 ObjectData first_object;  // whose centre stands for the world's origin
 ObjectData main_object;   // the scene's only object, or the only displaced one
-MapData main_map;         // its, finest level
+MapData main_map;         // the main object's map, at its finest level of detail
 ObjectData plain_object;  // the only one that is not displaced, if there are others
 LightData only_light;
 

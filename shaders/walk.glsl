@@ -1,4 +1,4 @@
-// ExactWalk of the map's cells under one leaf of the bounds, and the refined hit. Expects frame.glsl.
+// The walk through the map's cells under one leaf of the bounds, and the refined hit. Expects frame.glsl.
 
 // A chord of this share of the distance to the axis (or the centre) is a parabola within 1e-8 of the surface.
 const real kChordShare = real(0.0125);
@@ -11,7 +11,7 @@ const real kTrust = real(3e-8);
 // What does not change along a ray through the map's cells.
 struct WalkPlan {
     bool east;         // longitude grows along the ray
-    real s_extreme;       // where the latitude is extreme
+    real s_extreme;    // where the latitude is extreme
     real across_axis;  // share of d across the axis: how fast the ray can approach it
 };
 

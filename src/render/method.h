@@ -6,6 +6,7 @@ namespace dsphere {
 
 /// Order as MARCHER_ of layout.h.
 enum class Marcher { Exact, Naive, NaiveShell, Lipschitz };
+inline constexpr int kMarcherCount = 4;
 
 /// How rays find hits, and whether they look for shadows; a marcher alone stands for it with its defaults.
 struct MarchMethod {

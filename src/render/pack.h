@@ -49,7 +49,7 @@ struct PackedScene {
     PackedState state;                               ///< as the scene was when it was packed
     std::vector<std::unique_ptr<Heightmap>> halves;  ///< levels of detail beyond the maps of SceneMaps
     std::vector<std::unique_ptr<NodeGrid>> nodes;    ///< one a map of SceneMaps, then one a half, which they refer to
-    std::vector<int> half_of_nodes;                  ///< of packLevels
+    std::vector<int> half_of_nodes;                  ///< by index in `nodes`: of the map halved from it, or kNotHalved
     std::vector<PackedRelief> reliefs;               ///< distinct ones, and their levels of detail
     std::vector<ImageWords> images;                  ///< one an image of SceneMaps, which they refer to
     std::vector<layout::vec4> ramp_points;           ///< all ramps, RAMP_POINTS each

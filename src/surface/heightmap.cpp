@@ -11,6 +11,7 @@
 #include "geo/readmap.h"
 #include "surface/blur.h"
 #include "surface/fill.h"
+#include "surface/heldmap.h"
 #include "surface/preparemap.h"
 #include "surface/surveycache.h"
 #include "surface/tiledheights.h"
@@ -217,14 +218,28 @@ Heightmap makeTiledHeightmap(std::shared_ptr<const geo::LargeMap> source, const 
 
 namespace {
 
+/// Whether the surface can be made of heights in tiles.
+bool takesTiles(const DisplacedSphere& shape) {
+    return shape.filter == Filter::Bilinear && !shape.smooth_normals && shape.blur == 0.0;
+}
+
+bool takesTiles(const RawMap& map) {
+    return map.width >= NodeGrid::kLeastWidth && map.height >= NodeGrid::kLeastRows;
+}
+
 /// Null: the map does not stay in its file.
 std::shared_ptr<const geo::LargeMap> openToStay(const DisplacedSphere& shape, std::uint64_t most_held) {
-    const bool may_stay = shape.filter == Filter::Bilinear && !shape.smooth_normals && shape.blur == 0.0;
-    if (shape.map_path.empty() || !may_stay) return nullptr;
+    if (shape.map_path.empty() || !takesTiles(shape)) return nullptr;
     auto large = geo::openLargeMap(shape.map_path, shape.band, most_held + 1);
-    if (!large || large->head().width < NodeGrid::kLeastWidth || large->head().height < NodeGrid::kLeastRows)
-        return nullptr;
-    return large;
+    return large && takesTiles(large->head()) ? large : nullptr;
+}
+
+Heightmap readHeightmap(const DisplacedSphere& shape, const MapProgress& progress) {
+    RawMap raw = geo::readMap(shape.map_path, shape.band);
+    if (raw.width <= kWidestHeldMap || !takesTiles(shape) || !takesTiles(raw))
+        return makeHeightmap(std::move(raw), shape);
+    prepareMap(raw, shape);
+    return makeTiledHeightmap(holdMap(std::move(raw)), shape, progress);
 }
 
 }  // namespace
@@ -246,7 +261,7 @@ std::optional<Heightmap> loadCoarseHeightmap(const DisplacedSphere& shape) {
 
 Heightmap loadHeightmap(const DisplacedSphere& shape, std::uint64_t most_held, const MapProgress& progress) {
     if (auto large = openToStay(shape, most_held)) return makeTiledHeightmap(std::move(large), shape, progress);
-    if (!shape.map_path.empty()) return makeHeightmap(geo::readMap(shape.map_path, shape.band), shape);
+    if (!shape.map_path.empty()) return readHeightmap(shape, progress);
     DisplacedSphere smooth = shape;
     smooth.registration = Registration::Texel;  // a single value has no grid lines
     smooth.nodata.reset();

@@ -177,7 +177,7 @@ void App::runForView(Command command) {
             wanted.edits = noEdits(stage_->document().original, options_.exaggeration);
             break;
         case Command::NextMarcher:
-            wanted.view.method.marcher = Marcher(next(int(wanted.view.method.marcher), 1, 4));
+            wanted.view.method.marcher = Marcher(next(int(wanted.view.method.marcher), 1, kMarcherCount));
             // The left half of a split view is the naive one already.
             if (wanted.view.split && wanted.view.method.marcher == Marcher::Naive)
                 wanted.view.method.marcher = Marcher::NaiveShell;

@@ -3,6 +3,7 @@
 #include "render/method.h"
 
 #include <cstdint>
+#include <iterator>
 
 namespace dsphere::viewer {
 
@@ -13,6 +14,7 @@ extern const char* const kShowNames[kShowCount];
 
 /// The marchers' names, in the order of Marcher.
 inline constexpr const char* kMarcherNames[] = {"exact", "naive", "naive-shell", "lipschitz"};
+static_assert(std::size(kMarcherNames) == kMarcherCount);
 
 /// The film planes that it takes.
 std::uint32_t planesOf(Show show);
