@@ -1,8 +1,8 @@
 #include "cli/anydevice.h"
 
 #include "base/error.h"
-#include "render/marchpipeline.h"
 #include "render/filmtracer.h"
+#include "render/marchpipeline.h"
 #include "render/renderer.h"
 
 namespace dsphere::cli {

@@ -1,8 +1,8 @@
 #include "reference/pathtracer.h"
 
 #include "base/parallel.h"
-#include "reference/camera.h"
 #include "reference/basis.h"
+#include "reference/camera.h"
 
 #include <array>
 #include <cmath>

@@ -1,8 +1,8 @@
 // The tracer's textures and direct light.
 
 #include "base/overloads.h"
-#include "reference/colour.h"
 #include "reference/basis.h"
+#include "reference/colour.h"
 #include "reference/tracer.h"
 #include "scene/ramps.h"
 

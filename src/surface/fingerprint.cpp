@@ -72,8 +72,8 @@ struct SceneHash {
     void add(const DisplacedSphere& sphere) {
         const auto& [radius, displacement, path, midlevel, scale, least, greatest, own, in_proportion, registration,
                      longitude, blur, nodata, band, filter, ripples, smooth] = sphere;
-        addAll(radius, displacement, midlevel, scale, least, greatest, own, in_proportion, registration, longitude, blur,
-            nodata, band, filter, ripples, smooth);
+        addAll(radius, displacement, midlevel, scale, least, greatest, own, in_proportion, registration, longitude,
+               blur, nodata, band, filter, ripples, smooth);
     }
     void add(const Sphere& sphere) { add(sphere.radius); }
     void add(const Disk& disk) {
