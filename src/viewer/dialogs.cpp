@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 
+#include "viewer/degrees.h"
 #include "viewer/recent.h"
 #include "viewer/ui.h"
 
@@ -53,9 +55,11 @@ void drawPathField(Ui& ui, bool focus, int most) {
     PathBox& box = ui.path;
     if (focus) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0f);
-    const bool entered = ImGui::InputTextWithHint(
-        "##path", "Path of a scene (.pbrt) or a heightmap", box.text.data(), box.text.size(),
-        ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_EnterReturnsTrue, completeText);
+    const bool entered =
+        ImGui::InputTextWithHint("##path", "Path of a scene (.pbrt) or a heightmap", box.text.data(), box.text.size(),
+                                 ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_EnterReturnsTrue |
+                                     ImGuiInputTextFlags_AutoSelectAll,
+                                 completeText);
     notePlace(ui, "Path");
     showTip("Tab completes the path, Enter opens it.");
     const std::string text = box.text.data();
@@ -91,6 +95,25 @@ bool drawNumber(Ui& ui, const char* label, double& value, const char* format, co
     return entered;
 }
 
+/// As drawNumber, of an angle. What cannot be understood leaves the value as it was.
+bool drawDegrees(Ui& ui, const char* label, double& value, std::array<char, 32>& text, Directions directions,
+                 double most, const char* tip) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label);
+    ImGui::SameLine(0.42f * ImGui::GetWindowWidth());
+    ImGui::SetNextItemWidth(-1.0f);
+    ImGui::InputText((std::string("##go ") + label).c_str(), text.data(), text.size(),
+                     ImGuiInputTextFlags_AutoSelectAll);
+    if (ImGui::IsItemDeactivatedAfterEdit())
+        if (const std::optional<double> degrees = degreesIn(text.data(), directions, most)) value = *degrees;
+    const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
+    const bool entered = ImGui::IsItemDeactivated() && (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter));
+    if (!ImGui::IsItemActive()) text[degreesText(value, directions).copy(text.data(), text.size() - 1)] = '\0';
+    notePlace(ui, label);
+    showTip(tip);
+    return entered;
+}
+
 }  // namespace
 
 void drawPathBox(Ui& ui, const Extent& window) {
@@ -107,8 +130,10 @@ void drawGoTo(Ui& ui, const Extent& window) {
     if (ImGui::Begin("Go to a place", &place.open, kDialog & ~ImGuiWindowFlags_NoNavInputs)) {
         if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
         const std::string height = std::string("%.6g ") + ui.figures.gauges.unit.name();
-        bool entered = drawNumber(ui, "Latitude", place.latitude, "%.5f° N", "Degrees; south of the equator negative.");
-        entered |= drawNumber(ui, "Longitude", place.longitude, "%.5f° E", "Degrees; west of the meridian negative.");
+        bool entered = drawDegrees(ui, "Latitude", place.latitude, place.latitude_text, "NS", 90.0,
+                                   "Degrees: 45.5, 45.5 S or -45.5.");
+        entered |= drawDegrees(ui, "Longitude", place.longitude, place.longitude_text, "EW", 360.0,
+                               "Degrees: 20, 20 W or -20.");
         entered |= drawNumber(ui, "Above the ground", place.altitude, height.c_str(),
                               "How high the eye is: metres where the map knows its radius, else radii (R).");
         if (ImGui::Button("Go") || entered) place.go = true;

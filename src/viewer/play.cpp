@@ -25,12 +25,12 @@ std::string whole(const std::filesystem::path& path) {
     return error ? path.string() : absolute.lexically_normal().string();
 }
 
-std::string addedNote(const PathFile& file) {
+std::string addedNote(const PathFile& file, const std::string& scene) {
     const int keys = file.keys.keys();
     const std::string note =
         fmt::format("Key {}, at frame {}, is in {}\n", keys, file.keys.lastFrame(), whole(file.path));
     if (keys == 1) return note + "Go to the next view and press K again.";
-    return note + fmt::format("Shift + K plays it; dsphere render --path {} --frames 0-{} films it.",
+    return note + fmt::format("Shift + K plays it; dsphere render {} --path {} --frames 0-{} films it.", scene,
                               file.path.string(), std::floor(file.keys.lastFrame()));
 }
 
@@ -60,7 +60,7 @@ void App::addKey() {
     const bool first = chosen_.recorded.empty();
     chosen_.recorded.push_back(line);
     history_.add(state());
-    std::string note = addedNote(file);
+    std::string note = addedNote(file, stage_->document().path);
     if (first && before > 0) note += fmt::format("\nIt goes on from {} that the file had.", inWords(before));
     if (first && before == 0 && !file.passed_over.empty())
         note += fmt::format("\n{} holds something else and stays as it is.", file.passed_over.string());
@@ -86,7 +86,7 @@ void App::restoreKeys(const std::vector<std::string>& wanted) {
         file.keys = file.keys.with(wanted[present.size()]);
         writePathFile(file);
         present.push_back(wanted[present.size()]);
-        say(addedNote(file));
+        say(addedNote(file, stage_->document().path));
     }
 }
 

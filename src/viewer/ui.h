@@ -78,6 +78,7 @@ struct GoTo {
     bool open = false, go = false;
     double latitude = 0.0, longitude = 0.0;  ///< degrees
     double altitude = 0.0;                   ///< above the ground, in the gauges' unit
+    std::array<char, 32> latitude_text = {}, longitude_text = {};  ///< as it is typed
 };
 
 /// A path that is being typed.

@@ -46,7 +46,7 @@ TEST_F(PathKeysTest, AreRecordedTakenBackAndPlayedAsRenderFilmsThem) {
     hand("key k");
     viewing.waitFor("no second one of the same view", says("This view is the last key, 1, of planet-path.csv already"));
     hand("key 3 sleep 0.1 key k");
-    viewing.waitFor("the second key", says("dsphere render --path planet-path.csv --frames 0-60"));
+    viewing.waitFor("the second key", says("dsphere render planet.pbrt --path planet-path.csv --frames 0-60"));
     hand("key 7 sleep 0.1 key k");
     viewing.waitFor("the third key", says("Key 3, at frame 120"));
     EXPECT_EQ(lines("planet-path.csv"), 4);
