@@ -52,7 +52,7 @@ using MapProgress = std::function<bool(const std::string& path, double share)>;
 /// texels, gridline registration with fewer than 2 rows.
 ///
 /// A map of more texels than `most_held` stays in its file (`tiled`) where its format and the shape let it: not with a
-/// B-spline's surface or normals, nor blurred. One of kWidestHeldMap columns or more is cut into tiles as well
+/// B-spline's surface or normals, nor blurred. One of more than kWidestHeldMap columns is cut into tiles as well
 /// (`tiled`), in memory, under the same conditions.
 Heightmap loadHeightmap(const DisplacedSphere& shape, std::uint64_t most_held = geo::kLargeMapTexels,
                         const MapProgress& progress = {});

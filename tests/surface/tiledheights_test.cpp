@@ -5,6 +5,7 @@
 
 #include "reference/surface.h"
 #include "surface/bounds.h"
+#include "surface/heldmap.h"
 #include "surface/levels.h"
 #include "surface/surveycache.h"
 #include "tests/support/expecterror.h"
@@ -15,7 +16,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <limits>
 #include <random>
@@ -25,50 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using geo::SampleKind;
-
-/// A map in memory that is read as if it were in a file.
-class MemoryMap : public geo::LargeMap {
-  public:
-    MemoryMap(RawMap map, SampleKind kind, std::optional<int> unknown = {})
-        : samples_(std::move(map.samples)), head_(std::move(map)), kind_(kind), unknown_(unknown) {
-        head_.samples.clear();
-        head_.unknown_are_nan = unknown || kind == SampleKind::Float32;
-    }
-
-    const RawMap& head() const override { return head_; }
-    SampleKind kind() const override { return kind_; }
-    std::optional<int> unknownCode() const override { return unknown_; }
-    std::string identity() const override { return "in memory"; }
-    std::vector<float> overview(int columns, int rows) const override {
-        std::vector<float> result;
-        for (int j = 0; j < rows; ++j)
-            for (int i = 0; i < columns; ++i) {
-                const int x = (2 * i + 1) * head_.width / (2 * columns), y = (2 * j + 1) * head_.height / (2 * rows);
-                result.push_back(samples_[std::size_t(y) * std::size_t(head_.width) + std::size_t(x)]);
-            }
-        return result;
-    }
-    void read(int x, int y, int width, int height, void* to) const override {
-        auto* bytes = static_cast<std::byte*>(to);
-        for (int j = y; j < y + height; ++j)
-            for (int i = x; i < x + width; ++i) {
-                const float sample = samples_[std::size_t(j) * std::size_t(head_.width) + std::size_t(i)];
-                const auto put = [&](auto value) {
-                    std::memcpy(bytes, &value, sizeof(value));
-                    bytes += sizeof(value);
-                };
-                if (kind_ == SampleKind::UInt16) put(std::uint16_t(sample));
-                if (kind_ == SampleKind::Int16) put(std::int16_t(sample));
-                if (kind_ == SampleKind::Float32) put(sample);
-            }
-    }
-
-  private:
-    std::vector<float> samples_;
-    RawMap head_;
-    SampleKind kind_;
-    std::optional<int> unknown_;
-};
 
 struct TiledCase {
     const char* map;
@@ -99,7 +55,7 @@ struct Twins {
                 if (sample == float(*unknown)) sample = std::numeric_limits<float>::quiet_NaN();
         }
         held = makePlanet(std::move(known), c.registration, c.max_displacement, c.longitude_origin);
-        tiled = makeTiledHeightmap(std::make_shared<MemoryMap>(std::move(raw), c.kind, unknown), held->shape);
+        tiled = makeTiledHeightmap(holdMap(std::move(raw), c.kind, unknown), held->shape);
         relief = makeRelief(held->shape, tiled, {});
     }
 };
@@ -226,12 +182,30 @@ TEST_F(TiledGapsTest, AWindowWrapsAndRepeatsTheOuterRows) {
     }
 }
 
+TEST_F(TiledGapsTest, AMapInMemoryIsHeldInAsFewBitsAsItNeeds) {
+    const auto kindOf = [](std::vector<float> samples) { return holdMap(rawOf(2, 1, std::move(samples)))->kind(); };
+    EXPECT_EQ(kindOf({0.0f, 65535.0f}), SampleKind::UInt16);
+    EXPECT_EQ(kindOf({-1.0f, 32767.0f}), SampleKind::Int16);
+    EXPECT_EQ(kindOf({-1.0f, 32768.0f}), SampleKind::Float32);
+    EXPECT_EQ(kindOf({0.5f, 1.0f}), SampleKind::Float32);
+    EXPECT_EQ(kindOf({std::numeric_limits<float>::quiet_NaN(), 1.0f}), SampleKind::Float32);
+}
+
+TEST_F(TiledGapsTest, AnOverviewHasTheSamplesNearestItsMiddles) {
+    const auto map = holdMap(rawOf(6, 2, {0, 1, 2, 3, 4, 5, 10, 11, 12, 13, 14, 15}), SampleKind::UInt16, 14);
+    const std::vector<float> overview = map->overview(3, 1);
+    EXPECT_EQ(overview[0], 11.0f);
+    EXPECT_EQ(overview[1], 13.0f);
+    EXPECT_EQ(map->overview(6, 2)[5], 5.0f);
+    EXPECT_TRUE(std::isnan(map->overview(6, 2)[10]));
+}
+
 TEST_F(TiledGapsTest, AMapOfNothingElseIsRefused) {
     RawMap raw = rawOf(1024, 512, std::vector<float>(1024 * 512, 7.0f));
     DisplacedSphere shape;
     shape.map_path = "empty.tif";
     expectError(ExitCode::InvalidInput, "empty.tif: every one of the 1024x512 texels is unknown",
-                [&] { makeTiledHeightmap(std::make_shared<MemoryMap>(std::move(raw), SampleKind::UInt16, 7), shape); });
+                [&] { makeTiledHeightmap(holdMap(std::move(raw), SampleKind::UInt16, 7), shape); });
 }
 
 TEST_F(TiledGapsTest, NumbersThatAreNoHeightsAreUnknown) {
@@ -241,7 +215,7 @@ TEST_F(TiledGapsTest, NumbersThatAreNoHeightsAreUnknown) {
     raw.samples[7000] = std::numeric_limits<float>::quiet_NaN();
     DisplacedSphere shape;
     shape.map_path = "floats.tif";
-    const Heightmap map = makeTiledHeightmap(std::make_shared<MemoryMap>(raw, SampleKind::Float32), shape);
+    const Heightmap map = makeTiledHeightmap(holdMap(raw, SampleKind::Float32), shape);
     EXPECT_EQ(map.nodata_count, 3u);
     EXPECT_EQ(map.at(5000 % 1024, 5000 / 1024), map.at(5000 % 1024 - 1, 5000 / 1024));
 }
@@ -300,7 +274,7 @@ TEST_F(SurveyCacheTest, OtherNodataIsAnotherSurvey) {
     DisplacedSphere shape;
     shape.map_path = "map.tif";
     shape.nodata = double(raw.samples[0]);
-    const auto source = std::make_shared<MemoryMap>(raw, SampleKind::UInt16);
+    const auto source = holdMap(raw, SampleKind::UInt16);
     EXPECT_GT(makeTiledHeightmap(source, shape).nodata_count, 0u);
     shape.nodata.reset();
     EXPECT_EQ(makeTiledHeightmap(source, shape).nodata_count, 0u);
