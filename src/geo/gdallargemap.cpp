@@ -164,8 +164,8 @@ class GdalLargeMap : public LargeMap {
             std::vector<double> known(stored.size(), 1.0);
             if (handle.mask) known = handle.fetchReduced(handle.mask, window, columns, height);
             for (std::size_t i = 0; i < stored.size(); ++i) {
-                const double value = head_.sample.signed_bytes ? std::int8_t(stored[i]) : stored[i];
-                band[i] = known[i] == 0.0 || head_.unknown.is(stored[i]) ? unknown<float>() : float(value);
+                const double value = stored[i] - (head_.sample.signed_bytes && stored[i] > 127.0 ? 256.0 : 0.0);
+                band[i] = known[i] == 0.0 || head_.unknown.is(value) ? unknown<float>() : float(value);
             }
         });
         if (placed.mirrored) mirrorRows(band, columns, height);
