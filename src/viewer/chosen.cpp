@@ -10,6 +10,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "viewer/app.h"
+#include "viewer/degrees.h"
 #include "viewer/displayworld.h"
 
 namespace dsphere::viewer {
@@ -62,8 +63,7 @@ std::string App::hoverText() {
     if (document.scene.shapes.size() > 1) text = shapeName(document.scene, shape) + "   ";
     if (globe.round()) {
         const Place at = globe.placeOf(pick->point);
-        text += fmt::format("{:.4f}° {}  {:.4f}° {}   ", std::abs(at.latitude), at.latitude < 0.0 ? "S" : "N",
-                            std::abs(at.longitude), at.longitude < 0.0 ? "W" : "E");
+        text += degreesText(at.latitude, "NS", 4) + "  " + degreesText(at.longitude, "EW", 4) + "   ";
         const HeightUnit unit = heightUnitOf(document, shape);
         if (at.stored)
             text += fmt::format("height {}{:.6g}{}   ", document.maps.coarse ? "about " : "", unit.of(*at.stored),

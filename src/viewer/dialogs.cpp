@@ -81,13 +81,14 @@ void drawPathField(Ui& ui, bool focus, int most) {
         ImGui::TextDisabled("%s", fmt::format("... and {} more", int(box.completions.paths.size()) - most).c_str());
 }
 
-bool drawNumber(Ui& ui, const char* label, double& value, const char* format, const char* tip) {
+/// The label, and beside it the field that draw(id) draws; whether Enter ended what was typed there.
+template <typename Draw>
+bool drawField(Ui& ui, const char* label, const char* tip, const Draw& draw) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label);
     ImGui::SameLine(0.42f * ImGui::GetWindowWidth());
     ImGui::SetNextItemWidth(-1.0f);
-    ImGui::InputDouble((std::string("##go ") + label).c_str(), &value, 0.0, 0.0, format,
-                       ImGuiInputTextFlags_AutoSelectAll);
+    draw((std::string("##go ") + label).c_str());
     const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
     const bool entered = ImGui::IsItemDeactivated() && (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter));
     notePlace(ui, label);
@@ -95,23 +96,21 @@ bool drawNumber(Ui& ui, const char* label, double& value, const char* format, co
     return entered;
 }
 
-/// As drawNumber, of an angle. What cannot be understood leaves the value as it was.
+bool drawNumber(Ui& ui, const char* label, double& value, const char* format, const char* tip) {
+    return drawField(ui, label, tip, [&](const char* id) {
+        ImGui::InputDouble(id, &value, 0.0, 0.0, format, ImGuiInputTextFlags_AutoSelectAll);
+    });
+}
+
+/// What cannot be understood leaves the value as it was.
 bool drawDegrees(Ui& ui, const char* label, double& value, std::array<char, 32>& text, Directions directions,
                  double most, const char* tip) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label);
-    ImGui::SameLine(0.42f * ImGui::GetWindowWidth());
-    ImGui::SetNextItemWidth(-1.0f);
-    ImGui::InputText((std::string("##go ") + label).c_str(), text.data(), text.size(),
-                     ImGuiInputTextFlags_AutoSelectAll);
-    if (ImGui::IsItemDeactivatedAfterEdit())
-        if (const std::optional<double> degrees = degreesIn(text.data(), directions, most)) value = *degrees;
-    const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
-    const bool entered = ImGui::IsItemDeactivated() && (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter));
-    if (!ImGui::IsItemActive()) text[degreesText(value, directions).copy(text.data(), text.size() - 1)] = '\0';
-    notePlace(ui, label);
-    showTip(tip);
-    return entered;
+    return drawField(ui, label, tip, [&](const char* id) {
+        ImGui::InputText(id, text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll);
+        if (ImGui::IsItemDeactivatedAfterEdit())
+            if (const std::optional<double> degrees = degreesIn(text.data(), directions, most)) value = *degrees;
+        if (!ImGui::IsItemActive()) text[degreesText(value, directions).copy(text.data(), text.size() - 1)] = '\0';
+    });
 }
 
 }  // namespace

@@ -76,8 +76,8 @@ struct Subject {
 /// A place that is being typed.
 struct GoTo {
     bool open = false, go = false;
-    double latitude = 0.0, longitude = 0.0;  ///< degrees
-    double altitude = 0.0;                   ///< above the ground, in the gauges' unit
+    double latitude = 0.0, longitude = 0.0;                        ///< degrees
+    double altitude = 0.0;                                         ///< above the ground, in the gauges' unit
     std::array<char, 32> latitude_text = {}, longitude_text = {};  ///< as it is typed
 };
 
