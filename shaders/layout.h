@@ -30,15 +30,15 @@ using uint = std::uint32_t;
 // rgba32f: sine and cosine of each cell's west (north) edge, then what their rounding left; the same of the centres of
 // images' texels (disk: their distances).
 #define BINDING_EDGES 9
-#define BINDING_IMAGES 10   // r32ui array: the colour images' texels
-#define BINDING_SPLINE_NODES 11    // rgba32f array: a spline's value, slopes east and south, and twist at the nodes
-#define BINDING_TILES 12    // r32ui array: the heights of maps in tiles, and where their tiles lie
-#define BINDING_FILM 13     // r32ui array: one layer a plane (probe.comp: the rays)
-#define BINDING_HITS 14     // probe.comp: the answers
-#define BINDING_RETRY 14    // render.comp, query.comp: the pixels or rays that search_filter leaves to search_full
-#define BINDING_ABSENT 15   // render.comp, query.comp: those that wait for a tile
-#define BINDING_ANSWERS 16  // query.comp: a QueryHit per ray
-#define BINDING_LOOKS 17    // query.comp: a QueryLook per ray, if PLANE_R or PLANE_U is asked for
+#define BINDING_IMAGES 10        // r32ui array: the colour images' texels
+#define BINDING_SPLINE_NODES 11  // rgba32f array: a spline's value, slopes east and south, and twist at the nodes
+#define BINDING_TILES 12         // r32ui array: the heights of maps in tiles, and where their tiles lie
+#define BINDING_FILM 13          // r32ui array: one layer a plane (probe.comp: the rays)
+#define BINDING_HITS 14          // probe.comp: the answers
+#define BINDING_RETRY 14         // render.comp, query.comp: the pixels or rays that search_filter leaves to search_full
+#define BINDING_ABSENT 15        // render.comp, query.comp: those that wait for a tile
+#define BINDING_ANSWERS 16       // query.comp: a QueryHit per ray
+#define BINDING_LOOKS 17         // query.comp: a QueryLook per ray, if PLANE_R or PLANE_U is asked for
 
 // scene_planet knows what SPEC_OBJECT_COUNT, SPEC_KINDS and SPEC_ONLY_ would tell.
 #define SPEC_MARCHER 0

@@ -87,7 +87,7 @@ Pair pairLinear(const Pair base, const real x, const Pair step_x, const real y, 
     return rounded(exactSum(sum.hi, y_part.hi, rest));
 }
 
-// (a, b) turned by the angle of sine and cosine e: first = a cos - b sin, second = a sin + b cos. e holds sine and cosine
+// (a, b) rotated by the angle of sine and cosine e: first = a cos - b sin, second = a sin + b cos. e holds sine and cosine
 // as leading 12 bits (x, y) and rest (z, w), so that the leading products are exact and `first`, which is small where the
 // angle is nearly that of (a, b), has an error of its own size's rounding, not of a's.
 struct Rotated {
@@ -108,14 +108,14 @@ Rotated rotatePair(const Pair a, const Pair b, const vec4 e) {
     precise real b_cos = b1 * e.y;
     precise real first_rest = (a1 * e.w + a2 * cos_e) - (b1 * e.z + b2 * sin_e);
     precise real second_rest = (a1 * e.z + a2 * sin_e) + (b1 * e.w + b2 * cos_e);
-    Rotated turned;
+    Rotated result;
     precise real first = (a_cos - b_sin) + first_rest;
-    turned.first = first;
-    turned.second = exactSum(a_sin, b_cos, second_rest);
-    return turned;
+    result.first = first;
+    result.second = exactSum(a_sin, b_cos, second_rest);
+    return result;
 }
 
-// (x, y) turned by a small angle given as sine and versine (1 - cosine): no rounding of the cosine piles up.
+// (x, y) rotated by a small angle given as sine and versine (1 - cosine): no rounding of the cosine piles up.
 vec2 rotateSmall(const vec2 p, const real sine, const real versine) {
     return vec2(p.x - (p.x * versine + p.y * sine), p.y + (p.x * sine - p.y * versine));
 }

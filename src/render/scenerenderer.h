@@ -15,8 +15,8 @@ struct RenderStats {
     double device_seconds = 0.0;  ///< of all dispatches, pipelines warm
     double wall_seconds = 0.0;    ///< of the same on the host's clock, submissions and waits included
     std::uint64_t camera_rays = 0;
-    std::uint64_t retried_pixels =
-        0;  ///< samples of pixels that single floats could not decide, or that were left unbegun (NEXT_PIXEL_STEPS)
+    /// Samples of pixels that single floats could not decide, or that were left unbegun (NEXT_PIXEL_STEPS).
+    std::uint64_t retried_pixels = 0;
     /// Samples of pixels for which a search met more cells than a device's loops can have turns (MAX_STEPS): they may
     /// be wrong. Only rays that skim the ground across a pole of a map wider than 46,080 meet as many.
     std::uint64_t given_up_pixels = 0;
