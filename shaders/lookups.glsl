@@ -82,6 +82,14 @@ real boundAt(const MapData map, const int face_row, const int side, const int i,
     return imageLoad(bounds, ivec3(x, y, map.bounds_layer)).x;
 }
 
+// Squared tangent of the angle above which a ray that starts in a cell of the horizons meets nothing, and the squared least
+// radius that it has to start at. They lie beside the coarser levels (Bounds, src/surface/bounds.h).
+vec2 horizonAt(const MapData map, const int face_row, const int i, const int j) {
+    int quarter = map.bounds_side >> 2;
+    ivec3 place = ivec3(2 * quarter + i, face_row + map.bounds_side + quarter + j, map.bounds_layer);
+    return vec2(imageLoad(bounds, place).x, imageLoad(bounds, place + ivec3(quarter, 0, 0)).x);
+}
+
 vec4 edgesAt(const int x, const int y) {
     if (kTiles == 0) return imageLoad(edges, ivec3(x, y, 0));
     // Rows longer than an image may be go on EDGE_ROWS below.

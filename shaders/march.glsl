@@ -1,7 +1,7 @@
 // The exact marcher: first hit of a ray with the displaced sphere, in three steps. Traverse skips cells of a cube-map
 // pyramid of height maxima until the ray dips below one at the finest level; walk (walk.glsl) goes through the map's own
 // cells there and finds the first root along each chord; refine polishes it. Object space, units of R. Expects walk.glsl
-// and the resource functions faceRow(map, axis, sign) and boundAt(map, face_row, side, i, j).
+// and the resource functions faceRow(map, axis, sign), boundAt(map, face_row, side, i, j) and horizonAt(map, face_row, i, j).
 
 // Loops whose iterations differ from ray to ray, here and elsewhere, test their limit at the start and their end at the end: rule L1
 // of docs/design.md. A test for the end at the start would run the body once more on lavapipe, which goes on until no lane is
@@ -130,7 +130,22 @@ void traverseStep(INOUT(Cursor) at, const FaceRay face, const int face_row, cons
     at.width = down ? half_width : (up ? real(2) * at.width : at.width);
 }
 
-// Puts the cursor where the ray enters the shell; false if it never does, or is NaN. s_end: where the ray leaves it. The
+// Whether the ray starts at or above the ground and rises so steeply that no ground can be met: the tangent of its angle
+// above the horizontal plane is s_min / |c|.
+bool escapes(const Ray ray, const MapData map) {
+    Cursor at;
+    vec3 p = ray.c + ray.s_min * ray.d;
+    chooseFace(at, p);
+    int side = map.bounds_side >> 2;
+    real major = abs(component(p, at.axis));
+    int i = cellIndex(component(p, at.axis == 2 ? 0 : at.axis + 1), major, side);
+    int j = cellIndex(component(p, at.axis == 0 ? 2 : at.axis - 1), major, side);
+    vec2 horizon = horizonAt(map, faceRow(map, at.axis, at.sign_of_face), i, j);
+    real square = ray.s_min * ray.s_min;
+    return ray.s_min > real(0) && square > horizon.x * ray.c2 && square + ray.c2 >= horizon.y;
+}
+
+// Puts the cursor where the ray enters the shell; false if it meets nothing for certain, or is NaN. s_end: where the ray leaves it. The
 // levels above the starting one would only be descended through; a ray that skims the ground climbs to them by itself.
 bool startCursor(INOUT(Cursor) at, const Ray ray, const MapData map, const real shell_squared, INOUT(real) s_end) {
     real margin = shell_squared - ray.c2;
@@ -146,7 +161,7 @@ bool startCursor(INOUT(Cursor) at, const Ray ray, const MapData map, const real 
     at.i = 0;
     at.j = 0;
     at.turned = true;
-    return margin > real(0) && at.s < s_end;
+    return margin > real(0) && at.s < s_end && (ray.may_start_inside || !escapes(ray, map));
 }
 
 // Searches the whole ray; walk.hit, .inside, .frame and .sigma tell the answer, to be refined.

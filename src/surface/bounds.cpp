@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "surface/cubecells.h"
+#include "surface/horizons.h"
 #include "surface/ripples.h"
 #include "surface/spline.h"
 #include "surface/tiledheights.h"
@@ -83,6 +84,15 @@ std::size_t Bounds::index(int face, int level, int i, int j) const {
     return std::size_t(y) * std::size_t(side) + std::size_t(x);
 }
 
+std::size_t Bounds::horizonIndex(int face, int i, int j) const {
+    return std::size_t(face * (side + side / 2) + side + horizonSide() + j) * std::size_t(side) +
+           std::size_t(side / 2 + i);
+}
+
+std::size_t Bounds::horizonLeastIndex(int face, int i, int j) const {
+    return horizonIndex(face, i, j) + std::size_t(horizonSide());
+}
+
 int boundsSide(int columns) {
     // A face spans a quarter of the columns, so a finest cell spans four to eight cells of the map; fewer of a coarse
     // one, whose cells are large as they are, and about eight, 6 to 11, of a large one, whose bounds would leave the
@@ -139,11 +149,13 @@ Bounds buildBounds(const NodeGrid& nodes, const Relief& relief) {
         bounds.squared[bounds.index(face, 0, i, j)] =
             std::nextafter(float(bound * bound), std::numeric_limits<float>::infinity());
     };
-    if (const TiledHeights* tiled = nodes.map().tiled.get())
+    const TiledHeights* const tiled = nodes.map().tiled.get();
+    if (tiled)
         fillFromSurvey(bounds.side, relief, tiled->survey().cells, set);
     else
         fillFromNodes(bounds.side, relief, nodes, set);
     parallelFor(6, [&](std::size_t face) { fillCoarser(bounds, int(face)); });
+    fillHorizons(bounds, nodes, relief, tiled ? tiled->survey().blocks : measureBlocks(nodes, relief.filter));
     return bounds;
 }
 

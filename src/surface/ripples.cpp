@@ -18,6 +18,14 @@ Interval sineRange(const Interval& x) {
     return {holds(-0.5 * kPi) ? -1.0 : std::min(a, b), holds(0.5 * kPi) ? 1.0 : std::max(a, b)};
 }
 
+double greatestSize(const Interval& x) {
+    return std::max(std::abs(x.low), std::abs(x.high));
+}
+
+Interval cosineRange(const Interval& x) {
+    return sineRange({x.low + 0.5 * kPi, x.high + 0.5 * kPi});
+}
+
 }  // namespace
 
 double ripplePhase(const Heightmap& map, double longitude) {
@@ -30,6 +38,18 @@ Interval rippleRange(const Heightmap& map, const Interval& longitude, const Inte
     Interval v = sineRange({v_frequency * colatitude.low, v_frequency * colatitude.high});
     double a = u.low * v.low, b = u.low * v.high, c = u.high * v.low, d = u.high * v.high;
     return {0.5 + 0.5 * std::min({a, b, c, d}), 0.5 + 0.5 * std::max({a, b, c, d})};
+}
+
+// Eastward h changes by half u_frequency |cos u| |sin v| over the sine of the colatitude; at the poles, where both
+// sines vanish, v_frequency times an angle over its sine, at most pi / 2 up to the equator, bounds their quotient.
+double steepestRipple(const Heightmap& map, const Interval& longitude, const Interval& colatitude) {
+    const double u_frequency = map.ripples->u_frequency, v_frequency = map.ripples->v_frequency;
+    const Interval u{ripplePhase(map, longitude.low), ripplePhase(map, longitude.high)};
+    const Interval v{v_frequency * colatitude.low, v_frequency * colatitude.high};
+    const double sine = std::min(std::sin(colatitude.low), std::sin(colatitude.high));
+    const double quotient = std::min(greatestSize(sineRange(v)) / std::max(sine, 1e-9), 0.5 * kPi * v_frequency);
+    return 0.5 * std::hypot(u_frequency * greatestSize(cosineRange(u)) * quotient,
+                            v_frequency * greatestSize(sineRange(u)) * greatestSize(cosineRange(v)));
 }
 
 }  // namespace dsphere

@@ -89,6 +89,7 @@ class Surveyor {
             measurePoles();
             measureValues();
             measureBlocks();
+            measureSlopes();
             unfinished.insert(unfinished.end(), cells.of(band).begin(), cells.of(band).end());
             measureCells(cells, unfinished);
             std::erase_if(unfinished, [&](std::uint32_t n) { return cells.box(n).bottom - first_row_ < y_ + count_; });
@@ -120,13 +121,7 @@ class Surveyor {
         cells.side = side;
         cells.least.assign(std::size_t(6) * side * side, kInfinity);
         cells.greatest.assign(cells.least.size(), -kInfinity);
-        BlockExtremes& blocks = survey_.blocks;
-        blocks.shift = width_ <= 32768 ? 3 : 4;
-        const int block = 1 << blocks.shift;
-        blocks.columns = (width_ + block - 1) / block;
-        blocks.rows = (grid_.rows() + block - 1) / block;
-        blocks.least.assign(std::size_t(blocks.columns) * std::size_t(blocks.rows), kInfinity);
-        blocks.greatest.assign(blocks.least.size(), -kInfinity);
+        survey_.blocks = emptyBlocks(grid_, width_ <= 32768 ? 3 : 4);
     }
 
     void fillRows() {
@@ -225,6 +220,38 @@ class Surveyor {
         });
     }
 
+    // Of the rows of cells whose southern nodes are in this band; the last one's, at a pole, when its mean is known.
+    void measureSlopes() {
+        BlockExtremes& blocks = survey_.blocks;
+        const int block = 1 << blocks.shift, from = firstNodeRow() - 1, end = endNodeRow() - 1;
+        if (from < end) {
+            const int first = from >> blocks.shift, last = (end - 1) >> blocks.shift;
+            const std::vector<T> before = row_before_;
+            parallelFor(std::size_t(last - first + 1), [&](std::size_t n) {
+                const int bj = first + int(n);
+                std::vector<float> squares(std::size_t(width_), 0.0f);
+                for (int j = std::max(from, bj * block); j < std::min(end, (bj + 1) * block); ++j) {
+                    const RowSlopes slopes(grid_, j);
+                    if (j == 0)
+                        raiseSlopes(slopes, poleRow(survey_.north_pole).data(), nodeRow(1), width_, squares.data());
+                    else
+                        raiseSlopes(slopes, j == from ? before.data() : nodeRow(j), nodeRow(j + 1), width_,
+                                    squares.data());
+                }
+                raiseSteepest(blocks, bj, squares);
+            });
+            const T* const last_row = nodeRow(end);
+            row_before_.assign(last_row, last_row + width_);
+        }
+        if (y_ + count_ < height_) return;
+        std::vector<float> squares(std::size_t(width_), 0.0f);
+        raiseSlopes(RowSlopes(grid_, grid_.rows() - 1), row_before_.data(), poleRow(survey_.south_pole).data(), width_,
+                    squares.data());
+        raiseSteepest(blocks, blocks.rows - 1, squares);
+    }
+
+    std::vector<float> poleRow(float value) const { return std::vector<float>(std::size_t(width_), value); }
+
     void measureCells(const CellsByBand& cells, const std::vector<std::uint32_t>& numbers) {
         constexpr std::size_t kChunk = 1024;
         CellExtremes& extremes = survey_.cells;
@@ -274,7 +301,8 @@ class Surveyor {
     const NodeGrid& grid_;
     const int width_, height_, first_row_;
     Survey survey_;
-    std::vector<T> rows_;  ///< [y_, y_ + count_)
+    std::vector<T> rows_;        ///< [y_, y_ + count_)
+    std::vector<T> row_before_;  ///< the last row of nodes before those, but the north pole's
     int y_ = 0, count_ = 0;
 };
 

@@ -2,6 +2,7 @@
 
 // What one pass over a map that stays in its file tells of it: all that must be known of every texel.
 
+#include "surface/blocks.h"
 #include "surface/gaps.h"
 #include "surface/nodes.h"
 
@@ -19,15 +20,6 @@ struct CellExtremes {
     std::size_t index(int face, int i, int j) const {
         return (std::size_t(face) * std::size_t(side) + std::size_t(j)) * std::size_t(side) + std::size_t(i);
     }
-};
-
-/// Least and greatest stored value over square blocks of the grid's cells, both edges' nodes included.
-struct BlockExtremes {
-    int shift = 0;              ///< a block is 2^shift cells wide and high
-    int columns = 0, rows = 0;  ///< blocks, the last perhaps smaller
-    std::vector<float> least, greatest;
-
-    std::size_t index(int i, int j) const { return std::size_t(j) * std::size_t(columns) + std::size_t(i); }
 };
 
 struct Survey {

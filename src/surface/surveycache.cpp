@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kMagic = 0x3130767275736364u;  // "dcsurv01", little-endian
+constexpr std::uint64_t kMagic = 0x3230767275736364u;  // "dcsurv02", little-endian
 
 fs::path folder() {
     const fs::path cache = cacheFolder();
@@ -45,6 +45,7 @@ void exchange(IO& io, S& survey) {
     io(survey.blocks.rows);
     io(survey.blocks.least);
     io(survey.blocks.greatest);
+    io(survey.blocks.steepest);
     io(survey.reduction);
     io(survey.reduced);
     io(survey.reduced_error);
@@ -124,7 +125,8 @@ bool fits(const Survey& survey) {
     const auto cells = std::size_t(6) * std::size_t(survey.cells.side) * std::size_t(survey.cells.side);
     const auto blocks = std::size_t(survey.blocks.columns) * std::size_t(survey.blocks.rows);
     return survey.cells.least.size() == cells && survey.cells.greatest.size() == cells &&
-           survey.blocks.least.size() == blocks && survey.blocks.greatest.size() == blocks;
+           survey.blocks.least.size() == blocks && survey.blocks.greatest.size() == blocks &&
+           survey.blocks.steepest.size() == blocks;
 }
 
 void removeOldest() {

@@ -33,6 +33,10 @@ inline int faceRow(const MapData&, int axis, real sign_of_face) {
 inline real boundAt(const MapData& map, int face, int side, int i, int j) {
     return real(current_resources->bounds->at(face, std::countr_zero(unsigned(map.bounds_side / side)), i, j));
 }
+inline vec2 horizonAt(const MapData&, int face, int i, int j) {
+    const Bounds& bounds = *current_resources->bounds;
+    return vec2(bounds.squared[bounds.horizonIndex(face, i, j)], bounds.squared[bounds.horizonLeastIndex(face, i, j)]);
+}
 inline vec4 edgesAt(int x, int y) {
     return vec4(current_resources->edges[y][std::size_t(x)]);
 }

@@ -1,0 +1,61 @@
+#pragma once
+
+// What is known of square blocks of a grid's cells: least and greatest stored value, and the steepest slope.
+
+#include "surface/nodes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace dsphere {
+
+/// Over square blocks of the grid's cells, both edges' nodes included.
+struct BlockExtremes {
+    int shift = 0;              ///< a block is 2^shift cells wide and high
+    int columns = 0, rows = 0;  ///< blocks, the last perhaps smaller
+    std::vector<float> least, greatest;
+    /// At least the greatest slope of the surface, on a sphere of radius 1: stored units per radian of arc.
+    std::vector<float> steepest;
+
+    std::size_t index(int i, int j) const { return std::size_t(j) * std::size_t(columns) + std::size_t(i); }
+};
+
+/// Blocks of 2^shift cells of a grid, with no values yet: least infinite, greatest -infinite, steepest 0.
+BlockExtremes emptyBlocks(const NodeGrid& nodes, int shift);
+
+/// Of the surface that `filter` makes of a map in memory (of a spline by its Bezier points), or of ripples. Uses all
+/// cores.
+BlockExtremes measureBlocks(const NodeGrid& nodes, Filter filter);
+
+/// What turns differences between the nodes of one row of cells into slopes, per radian of arc. In longitude that is at
+/// most the greatest difference over the shorter of the row's two circles. In a row that touches a pole it is (D theta'
+/// / height) / sin theta', theta' the angle from the pole and D the difference on the row's circle: greatest on that
+/// circle too, because theta' / sin theta' grows.
+struct RowSlopes {
+    float across, down;
+
+    RowSlopes(const NodeGrid& nodes, int row);
+};
+
+/// Raises squares[i] to the squared slope of cell i of a row at least; `north` and `south` are the `width` nodes of its
+/// edges, and columns wrap.
+template <typename North, typename South>
+void raiseSlopes(const RowSlopes& slopes, const North* north, const South* south, int width, float* squares) {
+    const auto raise = [&](int i, int next) {
+        const float nw = float(north[i]), ne = float(north[next]), sw = float(south[i]), se = float(south[next]);
+        const float north_east = std::abs(ne - nw), south_east = std::abs(se - sw);
+        const float west_down = std::abs(sw - nw), east_down = std::abs(se - ne);
+        const float east = slopes.across * (north_east > south_east ? north_east : south_east);
+        const float down = slopes.down * (west_down > east_down ? west_down : east_down);
+        const float square = east * east + down * down;
+        squares[i] = squares[i] > square ? squares[i] : square;
+    };
+    for (int i = 0; i + 1 < width; ++i) raise(i, i + 1);
+    raise(width - 1, 0);
+}
+
+/// Raises the blocks' steepest slopes in one row of blocks to those of `squares`, of all columns of cells.
+void raiseSteepest(BlockExtremes& blocks, int row, const std::vector<float>& squares);
+
+}  // namespace dsphere
