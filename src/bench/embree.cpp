@@ -97,7 +97,7 @@ void EmbreeScene::checkDevice(const char* call) const {
     if (error != RTC_ERROR_NONE) throwFailure("Embree: {}: error {}", call, int(error));
 }
 
-EmbreeScene::EmbreeScene(const NodeGrid& nodes, double base, double scale, int coarsening, MeshKind kind)
+EmbreeScene::EmbreeScene(const NodeGrid& nodes, double base, double scale, double spacing, MeshKind kind)
     : device_(rtcNewDevice(nullptr)) {
     if (!device_) throwFailure("Embree: no device: error {}", int(rtcGetDeviceError(nullptr)));
     rtcSetDeviceMemoryMonitorFunction(
@@ -110,7 +110,7 @@ EmbreeScene::EmbreeScene(const NodeGrid& nodes, double base, double scale, int c
     scene_.reset(rtcNewScene(device_.get()));
     rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
 
-    const MeshLattice lattice = meshLattice(nodes, coarsening);
+    const MeshLattice lattice = meshLattice(nodes, spacing);
     const bool grid = kind == MeshKind::Grid;
     RTCGeometry geometry = rtcNewGeometry(device_.get(), grid ? RTC_GEOMETRY_TYPE_GRID : RTC_GEOMETRY_TYPE_TRIANGLE);
     void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3),

@@ -29,7 +29,7 @@ struct RaySet {
 /// The nodes' mesh in Embree, robust mode, packets of 16, on all cores. Units of R.
 class EmbreeScene {
   public:
-    EmbreeScene(const NodeGrid& nodes, double base, double scale, int coarsening, MeshKind kind);
+    EmbreeScene(const NodeGrid& nodes, double base, double scale, double spacing, MeshKind kind);
     EmbreeScene(const EmbreeScene&) = delete;
     EmbreeScene& operator=(const EmbreeScene&) = delete;
 

@@ -107,7 +107,7 @@ class OwnMeshScene : public MeshScene {
     OwnMeshScene(const Workload& workload, const Method& method)
         : scene_(NodeGrid(*workload.maps.maps[0]),
                  workload.maps.reliefs[0].base / workload.maps.reliefs[0].greatest_radius,
-                 workload.maps.reliefs[0].scale / workload.maps.reliefs[0].greatest_radius, method.coarsening,
+                 workload.maps.reliefs[0].scale / workload.maps.reliefs[0].greatest_radius, method.spacing,
                  method.engine == Engine::GridMesh ? MeshKind::Grid : MeshKind::Triangles) {}
 
     std::uint64_t memoryBytes() const override { return scene_.peakBytes(); }

@@ -15,8 +15,11 @@ Method march(const char* family, const char* setting, MarchMethod how) {
     return {*setting ? fmt::format("{} {}", family, setting) : family, family, Engine::Device, how, 1};
 }
 
-Method mesh(const char* family, Engine engine, int coarsening) {
-    return {coarsening == 1 ? family : fmt::format("{} 1/{}", family, coarsening), family, engine, {}, coarsening};
+Method mesh(const char* family, Engine engine, double spacing) {
+    std::string name = family;
+    if (spacing > 1.0) name += fmt::format(" 1/{:.0f}", spacing);
+    if (spacing < 1.0) name += fmt::format(" {:.0f}x", 1.0 / spacing);
+    return {name, family, engine, {}, spacing};
 }
 
 }  // namespace
@@ -36,8 +39,8 @@ std::vector<Method> allMethods() {
         {"iterated secant", "iterated", Engine::Secant, {}, 1},
     };
     if (!haveEmbree()) return methods;
-    for (int coarsening : {1, 2, 4}) methods.push_back(mesh("grid", Engine::GridMesh, coarsening));
-    for (int coarsening : {1, 2, 4}) methods.push_back(mesh("triangles", Engine::TriangleMesh, coarsening));
+    for (double spacing : {0.25, 0.5, 1.0, 2.0, 4.0}) methods.push_back(mesh("grid", Engine::GridMesh, spacing));
+    for (double spacing : {1.0, 2.0, 4.0}) methods.push_back(mesh("triangles", Engine::TriangleMesh, spacing));
     return methods;
 }
 

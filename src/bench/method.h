@@ -15,8 +15,8 @@ struct Method {
     std::string name;    ///< unique: "naive 1e-4"
     std::string family;  ///< methods that differ by a setting alone share it: "naive"
     Engine engine = Engine::Device;
-    MarchMethod march;   ///< Device
-    int coarsening = 1;  ///< meshes: every n-th node of the map is a vertex
+    MarchMethod march;     ///< Device
+    double spacing = 1.0;  ///< meshes: nodes of the map from vertex to vertex; 1/2: twice as fine as the map
 
     Levels levels() const { return march.detail > 0.0f ? Levels::All : Levels::Finest; }
     bool isIterated() const { return engine == Engine::Iterated || engine == Engine::Secant; }

@@ -61,7 +61,7 @@ report::Speed speedOf(double rays, const std::vector<Timing>& timings) {
 
 // What Embree holds of a mesh at its peak, for a cell of the map: measured, rounded up.
 double meshBytes(const Workload& workload, const Method& method) {
-    double cells = double(workload.width) * workload.height / (method.coarsening * method.coarsening);
+    double cells = double(workload.width) * workload.height / (method.spacing * method.spacing);
     return cells * (method.engine == Engine::GridMesh ? 32.0 : 230.0);
 }
 

@@ -38,7 +38,7 @@ struct Planet {
     }
 };
 
-class MeshTest : public testing::TestWithParam<int> {
+class MeshTest : public testing::TestWithParam<double> {
   protected:
     static void expectOnSurface(const Planet& planet) {
         reference::Surface surface(planet.map, planet.relief);
@@ -89,14 +89,17 @@ TEST_P(MeshTest, TrianglesFaceOutward) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Coarsening, MeshTest, testing::Values(1, 2, 4));
+INSTANTIATE_TEST_SUITE_P(Spacing, MeshTest, testing::Values(0.5, 1.0, 2.0, 4.0));
 
 TEST(MeshLattice, KeepsPolesAndCountsVertices) {
     Planet planet(512, 256, {});
     MeshLattice full = meshLattice(planet.nodes, 1), quarter = meshLattice(planet.nodes, 4);
+    MeshLattice fine = meshLattice(planet.nodes, 0.25);
     EXPECT_EQ(full.columns(), 513);
     EXPECT_EQ(full.rows(), 258);
     EXPECT_EQ(quarter.columns(), 129);
+    EXPECT_EQ(fine.columns(), 2049);
+    EXPECT_EQ(fine.rows(), 4 * 257 + 1);
     EXPECT_EQ(quarter.node_rows.front(), 0);
     EXPECT_EQ(quarter.node_rows.back(), planet.nodes.rows());
 }
