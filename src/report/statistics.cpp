@@ -16,6 +16,7 @@ Spread ratesOf(double work, const std::vector<double>& seconds) {
     std::vector<double> rates;
     for (double time : seconds)
         if (time > 0.0) rates.push_back(work / time);
+    if (!rates.empty()) rates.resize(seconds.size(), std::ranges::max(rates));
     return spreadOf(std::move(rates));
 }
 

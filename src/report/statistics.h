@@ -16,7 +16,7 @@ struct Spread {
 Spread spreadOf(std::vector<double> values);
 
 /// What `work` units done in each of these seconds are a second: the least comes from the longest time. Times of 0 or
-/// less (a difference of two that noise has swallowed) count as not measured.
+/// less (a difference of two that noise has swallowed) count as the least that is not; without any nothing is measured.
 Spread ratesOf(double work, const std::vector<double>& seconds);
 
 }  // namespace dsphere::report
