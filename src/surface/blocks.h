@@ -42,17 +42,22 @@ struct RowSlopes {
 /// edges, and columns wrap.
 template <typename North, typename South>
 void raiseSlopes(const RowSlopes& slopes, const North* north, const South* south, int width, float* squares) {
-    const auto raise = [&](int i, int next) {
+    const auto squareOf = [&](int i, int next) {
         const float nw = float(north[i]), ne = float(north[next]), sw = float(south[i]), se = float(south[next]);
         const float north_east = std::abs(ne - nw), south_east = std::abs(se - sw);
         const float west_down = std::abs(sw - nw), east_down = std::abs(se - ne);
         const float east = slopes.across * (north_east > south_east ? north_east : south_east);
         const float down = slopes.down * (west_down > east_down ? west_down : east_down);
-        const float square = east * east + down * down;
-        squares[i] = squares[i] > square ? squares[i] : square;
+        return east * east + down * down;
     };
-    for (int i = 0; i + 1 < width; ++i) raise(i, i + 1);
-    raise(width - 1, 0);
+    constexpr int kLanes = 8;  // side by side, so that they become vectors
+    int i = 0;
+    for (; i + kLanes < width; i += kLanes) {
+        float lanes[kLanes];
+        for (int k = 0; k < kLanes; ++k) lanes[k] = squareOf(i + k, i + k + 1);
+        for (int k = 0; k < kLanes; ++k) squares[i + k] = squares[i + k] > lanes[k] ? squares[i + k] : lanes[k];
+    }
+    for (; i < width; ++i) squares[i] = std::max(squares[i], squareOf(i, i + 1 == width ? 0 : i + 1));
 }
 
 /// Raises the blocks' steepest slopes in one row of blocks to those of `squares`, of all columns of cells.
