@@ -104,6 +104,30 @@ INSTANTIATE_TEST_SUITE_P(Maps, HorizonTest,
                                          HorizonCase{"ripples", 12, 10, Registration::Texel, 12},
                                          HorizonCase{"ripples", 3, 40, Registration::Texel, -30}));
 
+// From pole to pole the ground rises evenly, so that a ray along it that is hardly less steep than its slope would meet
+// it.
+TEST(Horizons, OfARampAreItsSlope) {
+    constexpr int kWidth = 512, kHeight = 256;
+    std::vector<float> samples;
+    for (int j = 0; j < kHeight; ++j)
+        for (int i = 0; i < kWidth; ++i) samples.push_back(65535.0f * float(j) / float(kHeight - 1));
+    auto planet = makePlanet(rawOf(kWidth, kHeight, std::move(samples)), Registration::Gridline, 40.0);
+    const NodeGrid nodes(planet->map);
+    const Bounds bounds = buildBounds(nodes, planet->relief);
+    const reference::Surface surface(planet->map, planet->relief);
+    const int side = bounds.horizonSide();
+    for (int face : {0, 1, 4, 5})  // around the equator
+        for (int j = 1; j + 1 < side; ++j)
+            for (int i = 1; i + 1 < side; ++i) {
+                const dvec3 up = onFace(face, (i + 0.5) * 2.0 / side - 1.0, (j + 0.5) * 2.0 / side - 1.0);
+                const dvec3 gradient = surface.gradient(surface.radius(up) * up);
+                const double slope = glm::length(gradient - glm::dot(gradient, up) * up);
+                const double tangent = std::sqrt(double(bounds.squared[bounds.horizonIndex(face, i, j)]));
+                ASSERT_GE(tangent, slope);
+                ASSERT_LE(tangent, 1.2 * slope) << "face " << face << " cell " << i << ", " << j;
+            }
+}
+
 // The steepest ground anywhere, and what the tables say of most places.
 TEST(Horizons, AreNotMuchHigherThanSlopes) {
     auto planet = makePlanet(namedMap("fractal", 2048, 1024), Registration::Texel, 5.0);
