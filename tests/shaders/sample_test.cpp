@@ -1,3 +1,4 @@
+#include "reference/sampler.h"
 #include "tests/shaders/cpp_shaders.h"
 
 #include <gtest/gtest.h>
@@ -24,6 +25,18 @@ TEST(Samples, DependOnSeedAndPixel) {
     EXPECT_EQ(a, glsl32::samplePosition(3, 4, 0, 1u));
     EXPECT_NE(a, glsl32::samplePosition(3, 4, 0, 2u));
     EXPECT_NE(a, glsl32::samplePosition(4, 3, 0, 1u));
+}
+
+TEST(Samples, AreTheReferencesBitForBit) {
+    for (std::uint32_t k = 0; k < 4096; ++k) {
+        const reference::SampleSource source{37 * k % 1009, 11 * k % 719, k % 5, k};
+        const std::uint32_t pair = k % 200;
+        const dvec2 expected = source.pair(pair);
+        const std::uint32_t key = glsl32::pixelKey(int(source.x), int(source.y), source.seed);
+        const glsl32::vec2 found = glsl32::samplePoint(key, int(k), pair);
+        ASSERT_EQ(double(found.x), expected.x) << k;
+        ASSERT_EQ(double(found.y), expected.y) << k;
+    }
 }
 
 }  // namespace
