@@ -38,6 +38,12 @@ vec3 heat(float x) {
     return clamp(vec3(1.5) - abs(4.0 * h - vec3(3.0, 2.0, 1.0)), 0.0, 1.0);
 }
 
+float gainAt(ivec2 pixel) {
+    bool before = pixel.y < params.ahead_y0 || (pixel.y < params.ahead_y1 && pixel.x < params.ahead_x);
+    bool ahead = pixel.x < params.ahead_x0 || (pixel.x < params.ahead_x1 && before);
+    return ahead ? params.gain_ahead : params.gain;
+}
+
 float share(float value) {
     return (value - params.low) / max(params.high - params.low, 1e-30);
 }
@@ -90,13 +96,13 @@ float slopeAt(ivec2 pixel, uint shape) {
 }
 
 vec3 graticuleColour(ivec2 pixel, uint shape) {
-    vec3 colour = srgb(planes(pixel, params.layer) * params.gain);
+    vec3 colour = srgb(planes(pixel, params.layer) * gainAt(pixel));
     return isOnLine(pixel, shape) ? mix(colour, kLineColour, 0.65) : colour;
 }
 
 vec3 colourOf(ivec2 pixel) {
     uint layer = params.layer;
-    if (kShow == SHOW_COLOUR) return srgb(planes(pixel, layer) * params.gain);
+    if (kShow == SHOW_COLOUR) return srgb(planes(pixel, layer) * gainAt(pixel));
     uint shape = shapeAt(pixel);
     if (shape == 0u) return kBackground;
     if (kShow == SHOW_HEIGHTS) return heightColour(pixel, shape);

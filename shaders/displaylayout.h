@@ -32,6 +32,8 @@ struct DisplayParams {
     float gain;            // of the stored sums of light
     float low, high;       // the values that the scale of colours begins and ends at; of SHOW_RESIDUAL their log2
     float spacing;         // of lines: degrees (SHOW_GRATICULE), heights (SHOW_HEIGHTS)
+    float gain_ahead;  // instead of gain, where a sample that is half done is in the sums already: left of ahead_x0,
+    int ahead_x0, ahead_x1, ahead_y0, ahead_y1, ahead_x;  // and left of ahead_x1 before (ahead_x, ahead_y0 to ahead_y1)
 };
 
 // What is known of an object beyond the film. Displaced spheres alone have heights.
@@ -43,7 +45,7 @@ struct DisplayObject {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(DisplayParams) == 36);
+static_assert(sizeof(DisplayParams) == 60);
 struct DisplayWorld {
     DisplayObject objects[DISPLAY_OBJECTS];
 };

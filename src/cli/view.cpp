@@ -1,6 +1,7 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/placecamera.h"
+#include "cli/print.h"
 #include "cli/sceneoptions.h"
 #include "cli/signals.h"
 #include "scene/motion.h"
@@ -20,7 +21,7 @@ struct ViewOptions {
 int runView(const ViewOptions& options) {
     requireVulkan(options.viewer.device);
     if (options.scene.scene == "-")
-        throw Error(ExitCode::Usage, "view: a scene from standard input cannot be watched; name a file");
+        throwUsage("view shows files, which it reads again when they change: it takes no scene from standard input");
     if (options.scene.samples && (*options.scene.samples < 1 || *options.scene.samples > 65536))
         throw Error(ExitCode::Usage, fmt::format("--spp: {} is outside 1 to 65536", *options.scene.samples));
     if (!std::isfinite(options.scene.exaggeration))
@@ -43,6 +44,7 @@ int runView(const ViewOptions& options) {
         opened.camera = seen.camera;
         return opened;
     };
+    viewer.wrote = [](const std::filesystem::path& file) { print("wrote {}\n", file.string()); };
     viewer.interrupted = [] { return caughtSignal() != 0; };
     namingTheHost([&] { viewer::runViewer(viewer); });
     if (caughtSignal()) throw Error(ExitCode::Interrupted, "interrupted");
@@ -56,7 +58,8 @@ void addView(CLI::App& app, Action& action) {
     auto options = std::make_shared<ViewOptions>();
     addSceneOptions(*command, options->scene);
     command->get_option("scene")->required(false)->description(
-        "Scene file (.pbrt), or a heightmap, shown over its own range of values; none: the window asks for one");
+        "Scene file (.pbrt; not - for standard input), or a heightmap, shown over its own range of values; none: the "
+        "window asks for one");
     command->add_option("--spp", options->scene.samples, "Samples a pixel that a still view refines to");
     command->add_option("--seed", options->scene.seed, "Seed of the sample positions");
     command->add_option("--device", options->viewer.device, "Vulkan device: its index, a part of its name, or cpu")

@@ -62,11 +62,25 @@ Image ProgressiveFilm::sums() const {
 }
 
 const DeviceFilm& ProgressiveFilm::film() {
-    if (blocks_.samples() > 0 && shown_samples_ != samples_) {
+    if (blocks_.samples() > 0 && shown_samples_ != samples_ && between()) {
         film_.write(sums());
         shown_samples_ = samples_;
     }
     return film_;
+}
+
+// Until it is asked for the sums of later ones, the film has those of the first block.
+int ProgressiveFilm::sumSamples() const {
+    if (blocks_.samples() == 0 || (between() && shown_samples_ == samples_)) return samples_;
+    return shown_samples_ > 0 ? shown_samples_ : kSumBlock;
+}
+
+RowByRow ProgressiveFilm::ahead() const {
+    if (between() || blocks_.samples() > 0) return {};
+    RowByRow done = runs_[part_].doneRows();
+    done.x0 = parts_[part_].x0;
+    done.x1 = parts_[part_].x1;
+    return done;
 }
 
 bool ProgressiveFilm::step(double target) {

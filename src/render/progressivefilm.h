@@ -32,8 +32,10 @@ class ProgressiveFilm {
     /// One submission of about `target` seconds at most; true if it completed a sample, which takes several.
     bool step(double target);
 
-    int samples() const { return samples_; }                                     ///< complete ones
-    bool between() const { return part_ == 0 && runs_.front().share() == 0.0; }  ///< no sample is half done
+    int samples() const { return samples_; }                               ///< complete ones
+    bool between() const { return part_ == 0 && !runs_.front().begun(); }  ///< no sample is half done
+    /// Where film() has one sample more than sumSamples(), of a sample that is half done.
+    RowByRow ahead() const;
     /// Of the sample that is being made, 0 to 1.
     double share() const { return (double(part_) + runs_[part_].share()) / double(runs_.size()); }
     int width() const { return box_.width(); }
@@ -47,8 +49,9 @@ class ProgressiveFilm {
     int mostWidth() const { return int(film_.image().width()); }  ///< of pictures that it has room for
     int mostHeight() const { return int(film_.image().height()); }
 
-    /// The sums of the samples; between() samples only.
+    /// The sums of the complete samples, or of as many as sumSamples() says while one is half done.
     const DeviceFilm& film();
+    int sumSamples() const;
     /// The mean of the samples; between() samples only.
     Image read() const;
 

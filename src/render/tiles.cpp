@@ -31,6 +31,13 @@ std::vector<Box> makeTiles(const std::vector<Span>& spans, int x0, int x1, int c
     return tiles;
 }
 
+RowByRow TileRun::doneRows() const {
+    if (tiles_.empty()) return {};
+    const Box& next = tiles_[std::min(next_, tiles_.size() - 1)];
+    const int x = done() ? next.x1 : next.x0 + columns_done_;
+    return {0, 0, next.y0, next.y1, x};
+}
+
 // As many tiles a round as fit the time target, at the rate of the last round, and one run of the tracer takes. The
 // last tiles may have been cheap: so at most twice as many as last time, unless that took much less than the target.
 // Where one tile is too much, a part of it, by whole workgroups: pixels keep their places in those.

@@ -12,6 +12,12 @@ namespace dsphere {
 /// do not depend on where within a crop's first workgroup an object begins.
 std::vector<Box> makeTiles(const std::vector<Span>& spans, int x0, int x1, int columns);
 
+/// The pixels left of x0, and those within [x0, x1) that come before (x, y0), where [y0, y1) are rows of tiles, done
+/// from the left.
+struct RowByRow {
+    int x0 = 0, x1 = 0, y0 = 0, y1 = 0, x = 0;
+};
+
 /// The tiles of one sample of a picture, handed to the device in rounds of bounded time.
 class TileRun {
   public:
@@ -20,7 +26,10 @@ class TileRun {
         : tiles_(std::move(tiles)), film_x_(film_x), film_y_(film_y) {}
 
     const std::vector<Box>& tiles() const { return tiles_; }
+    bool begun() const { return next_ > 0 || columns_done_ > 0; }
     bool done() const { return next_ >= tiles_.size(); }
+    /// Of what is done, all but the columns that the tiles are of.
+    RowByRow doneRows() const;
     double share() const { return tiles_.empty() ? 1.0 : double(next_) / double(tiles_.size()); }
     /// Back to the first tile, for the next sample.
     void rewind() { *this = TileRun(std::move(tiles_), film_x_, film_y_); }

@@ -107,6 +107,7 @@ void App::startPicture(bool draft) {
     stage_->setCamera(control_->camera(), width, height);
     camera_is_new_ = false;
     const Sampling sampling = draft || chosen_.view.show != Show::Colour ? Sampling::Centres : Sampling::Jittered;
+    screenshotBegins(draft);
     stage_->begin(chosen_.view, sampling, !draft || schedule_.shadows());
     draft ? schedule_.beginDraft() : schedule_.beginStill();
     begun_ = true;
@@ -142,7 +143,7 @@ bool App::renderSlice() {
             film.sampleSeconds() * Schedule::kLeastScale * Schedule::kLeastScale > Schedule::kFrameTarget)
             stage_->makeDraftsReady(chosen_.view);
     }
-    if (screenshot_wanted_ && !draft && !stage_->document().provisional()) takeScreenshot();
+    if (screenshotIsDue()) takeScreenshot();
     // Doubling is when the eye sees a difference.
     int samples = film.samples();
     if (!draft && (samples & (samples - 1)) != 0 && samples != targetSamples()) return false;
@@ -183,12 +184,21 @@ ShownRange App::shownRange() const {
 }
 
 void App::publish() {
-    presenter_.finish();
-    const Document& document = stage_->document();
     shown_range_ = shownRange();
-    display_.convert(stage_->film(), {chosen_.view.show, chosen_.tone, shown_range_}, displayWorld(document));
-    presenter_.setPicture(display_.pixels(), stage_->film().width(), stage_->film().height());
+    convert(stage_->film());
     published_ = true;
+}
+
+// The newest picture of which there is a sample; while its first one is made, what was shown before.
+void App::recolour() {
+    ProgressiveFilm* film = begun_ && stage_->film().samples() > 0 ? &stage_->film() : display_.film();
+    if (film && film->samples() > 0 && film->mask() == planesOf(chosen_.view.show)) convert(*film);
+}
+
+void App::convert(ProgressiveFilm& film) {
+    presenter_.finish();
+    display_.convert(film, {chosen_.view.show, chosen_.tone, shown_range_}, displayWorld(stage_->document()));
+    presenter_.setPicture(display_.pixels(), film.width(), film.height());
 }
 
 void App::layOutFrame() {
@@ -262,13 +272,14 @@ void App::run() {
         for (const Event& event : events) handle(event);
         if (window_.closing()) {
             window_.close(false);
-            quit();
+            leave({});
         }
         const bool flew = flyStep(std::min(last_poll_ - last_loop_, 0.1));
         last_loop_ = last_poll_;
         finishWork();
         reloadIfChanged();
         follow();
+        saveIfDue();
         if (!events.empty()) frames_due_ = std::max(frames_due_, 4);  // what ImGui takes to open a list
         const bool fresh = renderOrFallBack();
         if (fresh) listen(0.0);  // between the two long parts of a turn, to know better when events came

@@ -60,15 +60,27 @@ class App {
     void runForView(Command command);
     void openGoTo();
     void escape();
-    void quit();
     void undo(int by);
     void cameraMoved(bool moving);
 
+    // waiting.cpp: what is done later, or after a question
+    void leave(const std::string& file);
+    void leaveNow();
+    void dropWaiting();
+    void fillLeaving();
+    void wantSaved();
+    void saveIfDue();
+    void wantScreenshot();
+    bool screenshotIsDue() const;
+    void screenshotBegins(bool draft);
+
     // follow.cpp: files and repacking, after what is chosen
     void open(const std::string& path);
+    void read(const std::string& path);
     void follow();
     void finishWork();
     void show(Loaded loaded);
+    void takeBodies();
     void tellNotices(const std::vector<std::string>& lost);
     void tellRefused(const Error& error);
     void reloadIfChanged();
@@ -84,7 +96,7 @@ class App {
     void note(bool shown);
     void noteState(nlohmann::json& line) const;
 
-    // keep.cpp: what is written
+    // saving.cpp: what is written
     void takeScreenshot();
     void saveScene();
     void copyCamera();
@@ -107,6 +119,8 @@ class App {
     void startPicture(bool draft);
     ShownRange shownRange() const;
     void publish();
+    void recolour();
+    void convert(ProgressiveFilm& film);
     void layOutFrame();
     void drawFrame();
     bool idle() const;
@@ -148,7 +162,13 @@ class App {
     bool published_ = false;     ///< the window shows what the film holds
     bool drawn_ = false;         ///< a frame has shown a picture of the stage
     ShownRange shown_range_;     ///< of what it shows
-    bool screenshot_wanted_ = false;
+    struct Screenshot {
+        bool at_once = false;  ///< at the next sample
+        bool begun = false;    ///< its picture is under way
+    };
+    std::optional<Screenshot> screenshot_;  ///< that waits
+    bool save_waits_ = false;               ///< the scene, for its changes to be shown
+    bool leaves_then_ = false;              ///< as ui_.leaving has it
 
     Hand hand_;
     std::optional<Flight> flight_;

@@ -61,7 +61,8 @@ CameraControl::CameraControl(const Camera& camera, const Film& film, std::shared
       film_(film),
       bodies_(std::move(bodies)),
       target_(target),
-      pose_(Pose::of(camera)) {}
+      pose_(Pose::of(camera)),
+      home_is_outside_(altitude() >= 0.0) {}
 
 CursorRay CameraControl::rayAt(const dvec2& cursor) const {
     return rayOf(makeRaster(camera_, film_), cursor);
@@ -72,12 +73,22 @@ void CameraControl::resize(int width, int height) {
     film_.height = height;
 }
 
-void CameraControl::setBodies(std::shared_ptr<const Bodies> bodies) {
+bool CameraControl::setBodies(std::shared_ptr<const Bodies> bodies) {
+    const Camera before = moved_out_ && moved_out_->to == camera_ ? moved_out_->from : camera_;
+    moved_out_.reset();
+    const dvec3 centre = globe().centre();
+    const double radius = globe().radius();
     bodies_ = std::move(bodies);
     if (target_ >= bodies_->count()) target_ = 0;
+    if (!(before == camera_)) setCamera(before);
+    if (bodies_->outOfGround(pose_.eye, kLowest) == pose_.eye) return false;
     Pose pose = pose_;
-    pose.eye = bodies_->outOfGround(pose.eye, kLowest);
-    if (pose.eye != pose_.eye) place(pose);
+    const double grown = std::max(globe().radius() / radius, 1.0);
+    pose.eye = bodies_->outOfGround(centre + grown * (pose.eye - centre), kLowest);
+    const double moved = glm::length(pose.eye - pose_.eye);
+    place(pose);
+    moved_out_ = {before, camera_};
+    return moved > 0.1 * radius;
 }
 
 void CameraControl::setCamera(const Camera& camera) {
@@ -87,6 +98,7 @@ void CameraControl::setCamera(const Camera& camera) {
 
 void CameraControl::reset() {
     setCamera(home_);
+    if (home_is_outside_ && altitude() < 0.0) frame();
 }
 
 void CameraControl::place(const Pose& pose) {
@@ -257,6 +269,8 @@ void CameraControl::zoom(const dvec2& cursor, const std::optional<dvec3>& hit, d
     } else {
         pose.eye += (1.0 - factor) * height * rayAt(cursor).direction;
     }
+    // As near as it goes there it stops, rather than slide along the ground.
+    if (steps > 0.0 && pose.eye != from) pose.eye = bodies_->wayTo(from, pose.eye, kLowest, 1.0);
     moveTo(pose, from);
 }
 

@@ -57,10 +57,12 @@ class CameraControl {
     CursorRay rayAt(const dvec2& cursor) const;
 
     void resize(int width, int height);
-    void setBodies(std::shared_ptr<const Bodies> bodies);
+    /// Other ground. Where it swallows the eye, this moves out as the globe has grown, and comes back with it if
+    /// nothing else has moved it meanwhile. True: by more than a tenth of the radius.
+    bool setBodies(std::shared_ptr<const Bodies> bodies);
     void setTarget(std::size_t shape) { target_ = shape; }
     void setCamera(const Camera& camera);
-    /// Back to where it started.
+    /// Back to where it started; where the ground has risen past that, to all of the globe from that side.
     void reset();
     /// The whole globe from a side, north up.
     void axisView(Side side);
@@ -103,11 +105,17 @@ class CameraControl {
     void place(const Pose& pose);
     void moveTo(Pose pose, const dvec3& from);
 
+    struct MovedOut {
+        Camera from, to;
+    };
+
     Camera home_, camera_;
     Film film_;
     std::shared_ptr<const Bodies> bodies_;
     std::size_t target_;
     Pose pose_;
+    bool home_is_outside_;               ///< of all ground, when the view began
+    std::optional<MovedOut> moved_out_;  ///< by setBodies()
     // Of the drag:
     Pose grabbed_pose_;
     Raster grabbed_raster_;

@@ -41,8 +41,8 @@ void App::adopt(const State& wanted) {
         cameraMoved(false);
     }
     if (view_changed) viewChanged(false);
-    // The shown values are recoloured without a ray, if they are all there.
-    if (tone_changed && !view_changed && begun_ && stage_->film().between() && stage_->film().samples() > 0) publish();
+    // What is shown is recoloured without a ray.
+    if (tone_changed && !view_changed) recolour();
     frames_due_ = std::max(frames_due_, 2);
 }
 
@@ -88,6 +88,7 @@ void App::fillFigures(Figures& figures) const {
         const auto heightOf = [&](double h) { return unit.of((h - relief.h_offset) / relief.h_scale); };
         figures.ramp = {ramp->ramp, unit.name, heightOf(0.0), heightOf(1.0)};
     }
+    figures.screenshot_waits = screenshot_.has_value();
     figures.sample_share = -1.0;
     if (!begun_) return;
     const bool first = !schedule_.draft() && stage_->film().samples() == 0;
@@ -101,6 +102,7 @@ void App::fillFigures(Figures& figures) const {
 
 void App::fillUi() {
     ui_.subject = {state(), nullptr, nullptr};
+    fillLeaving();
     ui_.has_picture = presenter_.hasPicture();
     const bool starting = !stage_ && !loader_.busy() && wanted_path_.empty();
     if (starting && !ui_.starting) ui_.recent = recent_.list();
@@ -157,6 +159,11 @@ void App::noteState(nlohmann::json& line) const {
     const Gauges gauges = gaugesOf(*control_, stage_->document(), area()[0], area()[1]);
     line["north"] = {gauges.north.x, gauges.north.y};
     line["night_light"] = now.edits.night_light;
+    line["exposure"] = now.tone.exposure;
+    if (const DistantLight* sun = sunOf(stage_->document().scene)) {
+        const SunAngles angles = anglesOf(control_->globe(), sun->direction);
+        line["sun"] = {angles.latitude, angles.longitude};
+    }
     line["target_shape"] = now.target;
     line["exaggeration"] = edits.exaggeration;
     line["filter"] = int(edits.filter.value_or(relief ? relief->filter : Filter::Bilinear));
@@ -200,7 +207,7 @@ void App::note(bool shown) {
                            {"go_to", ui_.go_to.open},
                            {"flying", flight_.has_value()},
                            {"playing", playing_ ? playing_->frame : -1},
-                           {"closing", ui_.closing},
+                           {"asks", ui_.leaving.asked},
                            {"hover", figures.hover},
                            {"message", ui_.message.text},
                            {"error", ui_.message.kind == Message::Kind::Error},

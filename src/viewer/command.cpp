@@ -15,8 +15,8 @@ void App::cameraMoved(bool moving) {
 void App::escape() {
     if (!ui_.let_go && ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
         ui_.let_go = true;
-    else if (ui_.closing)
-        ui_.closing = false;
+    else if (ui_.leaving.asked || screenshot_ || save_waits_)
+        dropWaiting();
     else if (ui_.path.open || ui_.go_to.open)
         ui_.path.open = ui_.go_to.open = false;
     else if (ui_.keys_open)
@@ -26,15 +26,7 @@ void App::escape() {
     else if (ui_.panel_open)
         ui_.panel_open = false;
     else
-        quit();
-}
-
-void App::quit() {
-    if (stage_ && !(chosen_.edits == saved_edits_) && !ui_.closing)
-        ui_.closing = true;
-    else
-        closing_ = true;
-    frames_due_ = std::max(frames_due_, 2);
+        leave({});
 }
 
 void App::undo(int by) {
@@ -42,10 +34,16 @@ void App::undo(int by) {
     history_.add(state());
     const State* wanted = history_.step(by);
     if (!wanted) return say(by < 0 ? "Nothing is left to undo." : "Nothing is left to redo.");
-    State fitted = *wanted;
-    std::vector<std::string> lost;
-    fitted.edits = refit(wanted->edits, stage_->document().original, options_.exaggeration, lost);
-    adopt(fitted);
+    const State before = *wanted;
+    try {
+        adopt(before);
+    } catch (const Error& error) {  // of the path's file, which is not as it was left: its keys stay as they are
+        say(error.what(), Message::Kind::Error);
+        history_.amend([&](State& one) { one.recorded = chosen_.recorded; });
+        State rest = before;
+        rest.recorded = chosen_.recorded;
+        adopt(rest);
+    }
 }
 
 // What needs no file. False: another kind of command.
@@ -67,10 +65,10 @@ bool App::runForWindow(Command command) {
             escape();
             return true;
         case Command::Quit:
-            quit();
+            leave({});
             return true;
-        case Command::QuitUnsaved:
-            closing_ = true;
+        case Command::Stay:
+            ui_.leaving = {};
             return true;
         default:
             return false;
@@ -79,18 +77,18 @@ bool App::runForWindow(Command command) {
 
 bool App::runForFiles(Command command) {
     switch (command) {
-        case Command::SaveAndQuit:
-            saveScene();
-            closing_ = true;
+        case Command::SaveAndLeave:
+            leaves_then_ = true;
+            wantSaved();
+            return true;
+        case Command::LeaveUnsaved:
+            leaveNow();
             return true;
         case Command::CopyCamera:
             copyCamera();
             return true;
         case Command::SaveScene:
-            if (stage_->document().maps.coarse)
-                say("The map's heights are not known yet. Save once it is surveyed.");
-            else
-                saveScene();
+            wantSaved();
             return true;
         case Command::AddKey:
             addKey();
@@ -102,12 +100,7 @@ bool App::runForFiles(Command command) {
             open(stage_->document().path);
             return true;
         case Command::Screenshot:
-            screenshot_wanted_ = true;
-            if (stage_->document().maps.coarse) say("The screenshot is made once the map is surveyed.");
-            // A full picture is written at once, a growing one at its next sample.
-            if (begun_ && !schedule_.draft() && schedule_.current() && !stage_->document().provisional() &&
-                stage_->film().between() && stage_->film().samples() > 0)
-                takeScreenshot();
+            wantScreenshot();
             return true;
         default:
             return false;

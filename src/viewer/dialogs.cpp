@@ -27,6 +27,10 @@ void centreNext(const Extent& window, float share, float wide) {
     ImGui::SetNextWindowSizeConstraints(ImVec2(fitting, 0.0f), ImVec2(fitting, 0.9f * float(window.height)));
 }
 
+std::string shortName(const std::string& path) {
+    return std::filesystem::path(path).filename().string();
+}
+
 void setText(PathBox& box, const std::string& text) {
     const std::size_t length = std::min(text.size(), box.text.size() - 1);
     std::memcpy(box.text.data(), text.data(), length);
@@ -61,7 +65,7 @@ void drawPathField(Ui& ui, bool focus, int most) {
                                      ImGuiInputTextFlags_AutoSelectAll,
                                  completeText);
     notePlace(ui, "Path");
-    showTip("Tab completes the path, Enter opens it.");
+    showTip(ui, "Tab completes the path, Enter opens it.");
     const std::string text = box.text.data();
     if (box.completed != text || box.completions.common.empty()) {
         box.completed = text;
@@ -92,7 +96,7 @@ bool drawField(Ui& ui, const char* label, const char* tip, const Draw& draw) {
     const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
     const bool entered = ImGui::IsItemDeactivated() && (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter));
     notePlace(ui, label);
-    showTip(tip);
+    showTip(ui, tip);
     return entered;
 }
 
@@ -137,8 +141,36 @@ void drawGoTo(Ui& ui, const Extent& window) {
                               "How high the eye is: metres where the map knows its radius, else radii (R).");
         if (ImGui::Button("Go") || entered) place.go = true;
         notePlace(ui, "Go");
-        showTip("Flies there and looks straight down, north up.");
+        showTip(ui, "Flies there and looks straight down, north up.");
     }
+    ImGui::End();
+}
+
+// It stays in front, and the picture's keys wait: what is asked about must not be missed.
+void drawLeaving(Ui& ui, const Extent& window) {
+    Leaving& leaving = ui.leaving;
+    const bool closes = leaving.file.empty();
+    const std::string title = closes ? "Close the window?" : "Open " + shortName(leaving.file) + "?";
+    centreNext(window, 0.4f, 480.0f);
+    ImGui::SetNextWindowFocus();
+    ImGui::Begin((title + "###leaving").c_str(), nullptr, kDialog | ImGuiWindowFlags_NoMove);
+    ImGui::TextWrapped(
+        "%s", fmt::format("Changes to {} that no scene file has yet: {}.", ui.figures.file, leaving.changes).c_str());
+    ImGui::TextWrapped("%s", fmt::format("Saving writes {}.", leaving.save_as).c_str());
+    const auto choice = [&](const char* id, const std::string& name, Command command, const char* tip) {
+        const float wide = ImGui::CalcTextSize(name.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+        const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+        if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + wide < right) ImGui::SameLine();
+        if (ImGui::Button(name.c_str())) ui.command = command;
+        notePlace(ui, id);
+        showTip(ui, tip);
+    };
+    ImGui::Dummy(ImVec2(ImGui::GetContentRegionAvail().x, 0.0f));
+    choice("Leaving/Save", closes ? "Save and close" : "Save and open", Command::SaveAndLeave,
+           "Writes the new scene file first (Enter).");
+    choice("Leaving/Discard", closes ? "Close without saving" : "Open without saving", Command::LeaveUnsaved,
+           "The changes are lost.");
+    choice("Leaving/Stay", "Keep editing", Command::Stay, "Nothing is saved or lost (Esc).");
     ImGui::End();
 }
 
@@ -153,8 +185,8 @@ void drawStart(Ui& ui, const Extent& window) {
         ImGui::TextDisabled("Opened lately");
         for (const std::string& path : ui.recent) {
             if (ImGui::Selectable(path.c_str())) ui.path.chosen = path;
-            notePlace(ui, "Recent/" + std::filesystem::path(path).filename().string());
-            showTip("Opens it again.");
+            notePlace(ui, "Recent/" + shortName(path));
+            showTip(ui, "Opens it again.");
         }
     }
     ImGui::Separator();
@@ -163,7 +195,7 @@ void drawStart(Ui& ui, const Extent& window) {
         if (i > 0) ImGui::SameLine();
         if (ImGui::Button(kSamples[i].name)) ui.path.chosen = samplePath(i);
         notePlace(ui, kSamples[i].name);
-        showTip(kSamples[i].tells);
+        showTip(ui, kSamples[i].tells);
     }
     ImGui::Separator();
     ImGui::TextDisabled("Then: drag to turn, scroll to zoom, Tab for the panel, H for all keys.");

@@ -41,7 +41,13 @@ layout::DisplayParams paramsOf(const ProgressiveFilm& film, const DisplaySetting
     params.layer = layerOf(mask, kShown[int(settings.show)].first);
     params.id_layer = layerOf(mask, PLANE_ID);
     params.place_layer = layerOf(mask, PLANE_PX);
-    params.gain = std::exp2(settings.tone.exposure) / float(film.samples());
+    const int samples = film.sumSamples();
+    const RowByRow ahead = film.ahead();
+    params.gain = std::exp2(settings.tone.exposure) / float(samples);
+    params.gain_ahead = std::exp2(settings.tone.exposure) / float(samples + 1);
+    params.ahead_x0 = ahead.x0, params.ahead_x1 = ahead.x1;
+    params.ahead_y0 = ahead.y0, params.ahead_y1 = ahead.y1;
+    params.ahead_x = ahead.x;
     const auto setRange = [&](double low, double high) { params.low = float(low), params.high = float(high); };
     const ShownRange& range = settings.range;
     if (settings.show == Show::Steps) setRange(0.0, double(settings.tone.most_steps));
@@ -96,6 +102,8 @@ void Display::bind(ProgressiveFilm& film) {
 }
 
 void Display::convert(ProgressiveFilm& film, const DisplaySettings& settings, const layout::DisplayWorld& world) {
+    // film() first: it makes the sums be of as many samples as it can.
+    film.film();
     choose(std::uint32_t(settings.show));
     bind(film);
     const layout::DisplayParams params = paramsOf(film, settings);

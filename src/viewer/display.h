@@ -22,10 +22,13 @@ class Display {
   public:
     explicit Display(gpu::Device& device);
 
-    /// The film's complete samples, between() two. `world` is of the document that the film shows.
+    /// The film's complete samples, of which there is one, and what the next one has so far. `world` is of the document
+    /// that the film shows.
     void convert(ProgressiveFilm& film, const DisplaySettings& settings, const layout::DisplayWorld& world);
     /// The film that was converted last is going.
     void forget() { film_ = nullptr; }
+    /// That was converted last, and is there yet; null: none.
+    ProgressiveFilm* film() const { return film_; }
     const gpu::Buffer& pixels() const { return *pixels_; }
 
   private:
@@ -39,7 +42,7 @@ class Display {
     gpu::Buffer world_;
     std::optional<gpu::Buffer> pixels_;
     std::optional<gpu::BindingSet> set_;
-    const ProgressiveFilm* film_ = nullptr;  ///< that set_ binds
+    ProgressiveFilm* film_ = nullptr;  ///< that set_ binds
 };
 
 }  // namespace dsphere::viewer

@@ -1,8 +1,10 @@
 #include "viewer/edits.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+
+#include <glm/gtx/component_wise.hpp>
 
 #include "shaders/layout.h"
 
@@ -14,6 +16,25 @@ DistantLight* mutableSun(Scene& scene) {
     for (Light& light : scene.lights)
         if (auto* distant = std::get_if<DistantLight>(&light)) return distant;
     return nullptr;
+}
+
+/// A distant light exactly opposite to the sun, as a saved scene has it.
+struct NightLight {
+    std::size_t light;
+    double share;  ///< of the sun's radiance
+};
+
+std::optional<NightLight> nightLightOf(const Scene& scene) {
+    const DistantLight* sun = sunOf(scene);
+    if (!sun || glm::compMax(sun->radiance) <= 0.0) return {};
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const auto* light = std::get_if<DistantLight>(&scene.lights[i]);
+        if (!light || light->direction != -sun->direction) continue;
+        const double share = glm::compMax(light->radiance) / glm::compMax(sun->radiance);
+        const double off = glm::length(light->radiance - share * sun->radiance);
+        if (share <= 1.0 && off <= 1e-12 * glm::length(sun->radiance)) return NightLight{i, share};
+    }
+    return {};
 }
 
 void editShape(Shape& shape, const ShapeEdits& edits) {
@@ -54,6 +75,7 @@ Rework reworkOf(const Geometry& shown, const Geometry& wanted) {
 
 Edits noEdits(const Scene& scene, double exaggeration) {
     Edits edits{std::vector<ShapeEdits>(scene.shapes.size()), {}};
+    if (const std::optional<NightLight> night = nightLightOf(scene)) edits.night_light = night->share;
     for (std::size_t i = 0; i < scene.shapes.size(); ++i)
         if (std::holds_alternative<DisplacedSphere>(scene.shapes[i].geometry))
             edits.shapes[i].exaggeration = exaggeration;
@@ -66,8 +88,13 @@ Scene edited(const Scene& original, const Edits& edits) {
     if (DistantLight* sun = mutableSun(scene)) {
         if (edits.sun_direction) sun->direction = *edits.sun_direction;
         sun->radiance *= edits.sun_brightness;
-        if (edits.night_light > 0.0 && scene.lights.size() < MAX_LIGHTS)
-            scene.lights.emplace_back(DistantLight{-sun->direction, edits.night_light * sun->radiance});
+        const DistantLight opposite{-sun->direction, edits.night_light * sun->radiance};
+        const std::optional<NightLight> own = nightLightOf(original);
+        const bool as_it_was = own && own->share == edits.night_light && *sun == *sunOf(original);
+        if (own && !as_it_was)
+            scene.lights[own->light] = opposite;
+        else if (!own && edits.night_light > 0.0 && scene.lights.size() < MAX_LIGHTS)
+            scene.lights.emplace_back(opposite);
     }
     return scene;
 }
@@ -102,6 +129,26 @@ Edits refit(const Edits& edits, const Scene& scene, double exaggeration, std::ve
         fitted.night_light = 0.0;
     }
     return fitted;
+}
+
+std::string inWords(const Edits& edits, const Edits& others) {
+    const auto differs = [&](auto field) {
+        return !std::ranges::equal(edits.shapes, others.shapes, [&](const ShapeEdits& one, const ShapeEdits& other) {
+            return one.*field == other.*field;
+        });
+    };
+    std::vector<const char*> words;
+    const auto tell = [&](bool changed, const char* word) {
+        if (changed) words.push_back(word);
+    };
+    tell(differs(&ShapeEdits::exaggeration), "exaggeration");
+    tell(differs(&ShapeEdits::midlevel), "zero level");
+    tell(differs(&ShapeEdits::filter), "surface");
+    tell(differs(&ShapeEdits::texture), "colour");
+    tell(edits.sun_direction != others.sun_direction, "the sun's direction");
+    tell(edits.sun_brightness != others.sun_brightness, "the sun's brightness");
+    tell(edits.night_light != others.night_light, "night side");
+    return fmt::format("{}", fmt::join(words, ", "));
 }
 
 Rework reworkBetween(const Scene& shown, const Scene& wanted) {

@@ -22,12 +22,13 @@ struct Edits {
     std::vector<ShapeEdits> shapes;      ///< one a shape
     std::optional<dvec3> sun_direction;  ///< of the first distant light: world, unit
     double sun_brightness = 1.0;         ///< factor of its radiance
-    double night_light = 0.0;            ///< of a light opposite to it, as a share of it; 0: there is none
+    double night_light = 0.0;            ///< of the light opposite to it, as a share of it; 0: there is none
 
     bool operator==(const Edits&) const = default;
 };
 
-/// No edit of a scene but the factor that its displaced spheres begin with.
+/// No edit of a scene, whose light opposite to the sun is the night side's, but the factor that its displaced spheres
+/// begin with.
 Edits noEdits(const Scene& scene, double exaggeration);
 
 /// The scene with its edits, which are of as many shapes.
@@ -36,6 +37,9 @@ Scene edited(const Scene& original, const Edits& edits);
 /// What is left of edits for another version of the scene, whose further shapes have none but `exaggeration`; the words
 /// for each edit that no longer fits go to `lost`.
 Edits refit(const Edits& edits, const Scene& scene, double exaggeration, std::vector<std::string>& lost);
+
+/// What differs between edits of the same scene, in words: "exaggeration, sun".
+std::string inWords(const Edits& edits, const Edits& others);
 
 /// What it takes to show a scene's shapes and lights when others are shown, the least first.
 enum class Rework { Nothing, Look, Relief, Reading };

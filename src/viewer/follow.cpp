@@ -1,14 +1,25 @@
 // What is chosen, and what is shown: files that are read, reliefs that are packed anew.
 
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/ranges.h>
 
+#include "base/limits.h"
 #include "viewer/app.h"
 
 namespace dsphere::viewer {
 
+// A file that is open already is read again, whatever name it goes by here: its changes stay.
 void App::open(const std::string& path) {
+    if (!stage_) return read(path);
+    const std::string& present = stage_->document().path;
+    std::error_code error;
+    if (path == present || std::filesystem::equivalent(path, present, error)) return read(present);
+    leave(path);
+}
+
+void App::read(const std::string& path) {
     if (ui_.message.stays()) ui_.message.text.clear();
     wanted_path_ = path;
 }
@@ -61,7 +72,7 @@ void App::finishWork() {
         if (std::optional<PackedScene> packed = loader_.packed()) {
             stage_->updateRelief(std::move(*packed), loader_.packedScene());
             shown_edits_ = tried_edits_;
-            control_->setBodies(stage_->document().bodies);
+            takeBodies();
             display_.forget();
             begun_ = false;
             cameraMoved(true);
@@ -80,9 +91,52 @@ void App::finishWork() {
         // Levels or images that could not be made must not be asked for again at once; what was chosen meanwhile may be
         // better. What changed on disk counts as seen, or the same error would come for ever.
         if (chosen_.edits == tried_edits_) chosen_.edits = shown_edits_;
-        if (stage_->document().levels == Levels::Finest) chosen_.view.method.detail = 0.0f;
+        const bool no_levels = stage_->document().levels == Levels::Finest;
+        if (no_levels) chosen_.view.method.detail = 0.0f;
+        history_.amend([&](State& one) {
+            if (one.edits == tried_edits_) one.edits = shown_edits_;
+            if (no_levels) one.view.method.detail = 0.0f;
+        });
     }
 }
+
+// Where the ground has risen past the eye, undo must not lead back into it.
+void App::takeBodies() {
+    const Camera before = control_->camera();
+    const bool far = control_->setBodies(stage_->document().bodies);
+    const Camera& now = control_->camera();
+    history_.amend([&](State& one) {
+        if (one.edits == shown_edits_ && one.camera == before) one.camera = now;
+    });
+    if (!far) return;
+    const Globe& globe = control_->globe();
+    const LengthUnit unit = lengthUnitOf(stage_->document(), globe, control_->target());
+    say(fmt::format("The ground rose past the eye, which moved out to {} above it. Ctrl + Z goes back.",
+                    unit.text(globe.clearance(control_->pose().eye))));
+}
+
+namespace {
+
+/// Between which exaggerations of that sign the ground stays off the centre and within reach; nothing where the ground
+/// that is shown does not tell.
+std::string whatFits(const Document& document, std::size_t shape, const ShapeEdits& wanted, const ShapeEdits& shown) {
+    const auto* sphere = std::get_if<DisplacedSphere>(&document.scene.shapes[shape].geometry);
+    if (!sphere || shown.exaggeration == 0.0) return {};
+    const Relief& relief = document.maps.reliefs[shape];
+    const double sign = wanted.exaggeration < 0.0 ? -1.0 : 1.0, unit = sign / shown.exaggeration;
+    const double one = unit * (relief.least_radius - sphere->radius),
+                 other = unit * (relief.greatest_radius - sphere->radius);
+    const double down = std::max(-std::min(one, other), 0.0), up = std::max(one, other);
+    const double to_centre = sphere->radius / down, to_reach = (limits::kReach - 1.0) * sphere->radius / up;
+    const double most = std::min(to_centre, up > 0.0 ? to_reach : to_centre);
+    if (!std::isfinite(most)) return {};
+    const double digits = std::pow(10.0, std::floor(std::log10(most)) - 3.0);
+    return fmt::format("Its ground would {}. Up to {:.4g} fits, ",
+                       most == to_centre ? "reach its centre" : "reach too far from it",
+                       sign * std::floor(most / digits) * digits);
+}
+
+}  // namespace
 
 void App::tellRefused(const Error& error) {
     for (std::size_t i = 0; i < tried_edits_.shapes.size(); ++i) {
@@ -90,10 +144,9 @@ void App::tellRefused(const Error& error) {
         if (wanted == shown) continue;
         const std::string name = shapeName(stage_->document().original, i);
         if (wanted.exaggeration != shown.exaggeration)
-            return say(
-                fmt::format("An exaggeration of {:.4g} is too much for the {}: its ground would reach its centre. "
-                            "{:.4g} stays.",
-                            wanted.exaggeration, name, shown.exaggeration));
+            return say(fmt::format("An exaggeration of {:.4g} is too much for the {}. {}{:.4g} stays.",
+                                   wanted.exaggeration, name, whatFits(stage_->document(), i, wanted, shown),
+                                   shown.exaggeration));
         return say(
             fmt::format("This zero level is too much for the {}: its ground would reach its centre. The last one "
                         "stays.",
@@ -114,6 +167,12 @@ void App::show(Loaded loaded) {
         chosen_.edits = loaded.edits;
     else
         chosen_.edits = refit(chosen_.edits, document.original, options_.exaggeration, loaded.lost);
+    if (same)
+        history_.amend([&](State& one) {
+            std::vector<std::string> told;
+            one.edits = refit(one.edits, document.original, options_.exaggeration, told);
+            one.target = std::min(one.target, document.original.shapes.size() - 1);
+        });
     if (!same) {
         saved_edits_ = loaded.edits;
         chosen_.recorded.clear();
@@ -134,7 +193,7 @@ void App::show(Loaded loaded) {
     if (own_camera)
         control_.emplace(now.original.camera, film, now.bodies, Globe::shapeOf(now.original));
     else
-        control_->setBodies(now.bodies);
+        takeBodies();
     window_.setTitle(std::filesystem::path(now.path).filename().string() + " - dsphere");
     if (!notices_told || !loaded.lost.empty()) {
         if (ui_.message.stays()) ui_.message.text.clear();

@@ -145,7 +145,7 @@ double Bodies::clearance(const dvec3& point) const {
 }
 
 // Strides of half the room, since ground may rise faster than it is near.
-dvec3 Bodies::wayTo(const dvec3& from, const dvec3& to, double lowest) const {
+dvec3 Bodies::wayTo(const dvec3& from, const dvec3& to, double lowest, double share) const {
     struct Hold {
         const Globe* globe;
         double nearest;
@@ -153,7 +153,7 @@ dvec3 Bodies::wayTo(const dvec3& from, const dvec3& to, double lowest) const {
     std::vector<Hold> holds;
     for (const Globe& globe : globes_)
         if (const double clear = globe.clearance(from); clear > 0.0)
-            holds.push_back({&globe, std::min(lowest * globe.radius(), 0.5 * clear)});
+            holds.push_back({&globe, std::min(lowest * globe.radius(), share * clear)});
     const double length = glm::length(to - from);
     double done = 0.0;
     for (int i = 0; i < 200; ++i) {

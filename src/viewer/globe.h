@@ -76,8 +76,8 @@ class Bodies {
     /// The distance to the nearest.
     double clearance(const dvec3& point) const;
     /// Where the eye comes on its way between two points (not the same) without coming nearer to any of them than
-    /// `lowest`, in R of each, or half as near as it is at the start.
-    dvec3 wayTo(const dvec3& from, const dvec3& to, double lowest) const;
+    /// `lowest`, in R of each, or than this share of how near it is at the start.
+    dvec3 wayTo(const dvec3& from, const dvec3& to, double lowest, double share = 0.5) const;
     /// Out of the solid ones, to `lowest` above their ground.
     dvec3 outOfGround(const dvec3& eye, double lowest) const;
 

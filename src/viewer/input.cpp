@@ -207,7 +207,10 @@ void App::flyToCursor(const dvec2& cursor) {
 
 void App::zoomAt(const dvec2& cursor, double steps) {
     const std::optional<Hit> hit = hitUnder(cursor);
+    const Camera before = control_->camera();
     control_->zoom(cursor, hit ? std::optional(hit->point) : std::nullopt, steps);
+    if (steps > 0.0 && control_->camera() == before)
+        return say(fmt::format("As near as the eye comes to the ground: {:g} R above it.", CameraControl::kLowest));
     cameraMoved(true);
 }
 
@@ -218,6 +221,12 @@ void App::scroll(const Event& event) {
 
 void App::key(const Event& event) {
     flight_.reset();
+    if (ui_.leaving.asked) {  // nothing else is done before the answer
+        const Command command = commandOf(event);
+        const bool enter = event.code == GLFW_KEY_ENTER || event.code == GLFW_KEY_KP_ENTER;
+        if (enter || command == Command::Escape) runCommand(enter ? Command::SaveAndLeave : command);
+        return;
+    }
     if (!event.control) hand_.keys.insert(event.code);
     if (const Command command = commandOf(event); command != Command::None) runCommand(command);
 }

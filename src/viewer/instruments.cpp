@@ -18,12 +18,16 @@ namespace {
 constexpr ImU32 kWhite = IM_COL32(255, 255, 255, 235), kShade = IM_COL32(0, 0, 0, 220),
                 kSun = IM_COL32(255, 205, 70, 255);
 
-constexpr float kScaleLeft = 92.0f, kBarLeft = 290.0f;  // pixels at scale 1; the compass is left of them
+constexpr float kScaleLeft = 92.0f, kBarLeft = 290.0f,
+                kLeastStrip = 180.0f;  // pixels at scale 1; the compass is left of the first two
 
-void drawShadedText(const ImVec2& at, const std::string& text, double scale) {
+void drawShadedText(const ImVec2& at, const std::string& text, double scale, float wrap = 0.0f) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.AddText(ImVec2(at.x + float(scale), at.y + float(scale)), kShade, text.c_str());
-    list.AddText(at, kWhite, text.c_str());
+    const auto draw = [&](const ImVec2& corner, ImU32 colour) {
+        list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), corner, colour, text.c_str(), nullptr, wrap);
+    };
+    draw(ImVec2(at.x + float(scale), at.y + float(scale)), kShade);
+    draw(at, kWhite);
 }
 
 void drawNeedle(ImDrawList& list, const ImVec2& middle, float radius, const dvec2& north) {
@@ -116,22 +120,47 @@ std::optional<ColourBar> barOf(const Ui& ui) {
     }
 }
 
-void drawColourBar(const ColourBar& bar, float bottom, double scale) {
+/// Where a scale of colours or a legend goes.
+struct Strip {
+    float left, right, bottom;
+};
+
+// Beside the scale bar, or above the compass where there is no room.
+Strip stripOf(const Ui& ui, const Extent& window) {
+    const float unit = float(window.scale), margin = 12.0f * unit;
+    const float bottom = float(window.height - statusHeight(window.scale));
+    const float right = freeRight(ui, window, bottom - 60.0f * unit) - margin;
+    if (right - kBarLeft * unit >= kLeastStrip * unit) return {kBarLeft * unit, right, bottom};
+    return {margin, freeRight(ui, window, bottom - 140.0f * unit) - margin, bottom - 78.0f * unit};
+}
+
+/// Above `bottom`; returns its upper edge.
+float drawLegend(const std::string& text, const Strip& strip, float bottom, double scale) {
+    const float wrap = std::max(strip.right - strip.left, kLeastStrip * float(scale));
+    const float top = bottom - ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap).y;
+    drawShadedText(ImVec2(strip.left, top), text, scale, wrap);
+    return top;
+}
+
+void drawColourBar(const ColourBar& bar, const Strip& strip, double scale) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     constexpr int kPieces = 64;
-    const float unit = float(scale), wide = 260.0f * unit, high = 10.0f * unit, line = ImGui::GetFontSize();
-    const float left = kBarLeft * unit, top = bottom - line - high - 14.0f * unit;
-    drawShadedText(ImVec2(left, top - line - 4.0f * unit), bar.title, scale);
+    const float unit = float(scale), high = 10.0f * unit, line = ImGui::GetFontSize(), left = strip.left;
+    const float wide = std::clamp(strip.right - left, 60.0f * unit, 260.0f * unit);
+    const float top = strip.bottom - line - high - 14.0f * unit;
+    drawLegend(bar.title, strip, top - 4.0f * unit, scale);
     list.AddRectFilled(ImVec2(left - unit, top - unit), ImVec2(left + wide + unit, top + high + unit), kShade);
     for (int i = 0; i < kPieces; ++i) {
         const ImU32 begin = bar.code(double(i) / kPieces), end = bar.code(double(i + 1) / kPieces);
         list.AddRectFilledMultiColor(ImVec2(left + wide * float(i) / kPieces, top),
                                      ImVec2(left + wide * float(i + 1) / kPieces, top + high), begin, end, end, begin);
     }
-    const float below = top + high + 3.0f * unit;
+    const float below = top + high + 3.0f * unit, gap = 8.0f * unit;
     const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+    const float outer = std::max(width(bar.low), width(bar.high));
     drawShadedText(ImVec2(left, below), bar.low, scale);
-    drawShadedText(ImVec2(left + 0.5f * (wide - width(bar.middle)), below), bar.middle, scale);
+    if (2.0f * (outer + gap) + width(bar.middle) <= wide)
+        drawShadedText(ImVec2(left + 0.5f * (wide - width(bar.middle)), below), bar.middle, scale);
     drawShadedText(ImVec2(left + wide - width(bar.high), below), bar.high, scale);
 }
 
@@ -187,6 +216,7 @@ void drawCompass(Ui& ui, const Extent& window) {
     if (ImGui::InvisibleButton("north up", ImVec2(size, size))) ui.command = Command::NorthUp;
     notePlace(ui, "Compass");
     showTip(
+        ui,
         "The red end points north, the yellow dot to the sun: hollow where it stands behind the picture. Click: north "
         "up (N).");
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -203,12 +233,11 @@ void drawCompass(Ui& ui, const Extent& window) {
 
 void drawInstruments(Ui& ui, const Extent& window) {
     if (!ui.subject.original || !ui.has_picture) return;
-    const float bottom = float(window.height - statusHeight(window.scale));
+    const Strip strip = stripOf(ui, window);
     if (const auto bar = barOf(ui))
-        drawColourBar(*bar, bottom, window.scale);
+        drawColourBar(*bar, strip, window.scale);
     else if (const std::string text = legend(ui); !text.empty())
-        drawShadedText(ImVec2(kBarLeft * float(window.scale), bottom - 2.0f * ImGui::GetFontSize()), text,
-                       window.scale);
+        drawLegend(text, strip, strip.bottom - ImGui::GetFontSize(), window.scale);
     drawScaleBar(ui, window);
     drawCompass(ui, window);
 }

@@ -46,8 +46,9 @@ enum class Command {
     PlayPath,
     Escape,
     Quit,
-    QuitUnsaved,
-    SaveAndQuit,
+    LeaveUnsaved,  // what ui.h's Leaving asks about
+    SaveAndLeave,
+    Stay,
 };
 
 /// A line of the keys: the window's help, the manual and the keyboard itself go by this table.

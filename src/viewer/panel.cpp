@@ -2,9 +2,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
+#include "viewer/degrees.h"
 #include "viewer/rows.h"
 
 namespace dsphere::viewer {
@@ -19,6 +21,19 @@ Subject untouched(const Ui& ui) {
     subject.state = ui.untouched;
     subject.state.target = ui.subject.state.target;
     return subject;
+}
+
+/// The field of a number; true: `value` is another one.
+bool typedNumber(const char* id, const NumberRow& number, double& value) {
+    if (!number.directions)
+        return ImGui::InputScalar(id, ImGuiDataType_Double, &value, nullptr, nullptr, number.format,
+                                  ImGuiInputTextFlags_CharsScientific | ImGuiInputTextFlags_AutoSelectAll);
+    std::array<char, 32> text = {};
+    degreesText(value, number.directions, 1).copy(text.data(), text.size() - 1);
+    if (!ImGui::InputText(id, text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll)) return false;
+    const std::optional<double> degrees = degreesIn(text.data(), number.directions, 360.0);
+    if (degrees) value = *degrees;
+    return degrees.has_value();
 }
 
 // The number stands beside the slider, so that the knob never covers it, and can be typed there.
@@ -37,15 +52,13 @@ void drawControl(Ui& ui, const Row& row, const NumberRow& number) {
         number.set(subject, number.get(untouched(ui)));
     else if (slid)
         number.set(subject, value);
-    showTip((std::string(row.tip) + "\nDouble click: as the file was opened.").c_str());
+    showTip(ui, (std::string(row.tip) + "\nDouble click: as the file was opened.").c_str());
     ImGui::SameLine();
     value = number.get(subject);
     ImGui::SetNextItemWidth(-1.0f);
-    if (ImGui::InputScalar(("##value of " + id).c_str(), ImGuiDataType_Double, &value, nullptr, nullptr, number.format,
-                           ImGuiInputTextFlags_CharsScientific | ImGuiInputTextFlags_AutoSelectAll))
-        number.set(subject, value);
+    if (typedNumber(("##value of " + id).c_str(), number, value)) number.set(subject, value);
     notePlace(ui, id + " value");
-    showTip(row.tip);
+    showTip(ui, row.tip);
 }
 
 void drawControl(Ui& ui, const Row& row, const ChoiceRow& choice) {
@@ -56,7 +69,7 @@ void drawControl(Ui& ui, const Row& row, const ChoiceRow& choice) {
     const bool open = ImGui::BeginCombo((std::string("##") + row.label).c_str(), shown);
     if (!open) {
         notePlace(ui, row.label);
-        showTip(row.tip);
+        showTip(ui, row.tip);
         return;
     }
     for (int k = 0; k < int(names.size()); ++k) {
@@ -70,7 +83,7 @@ void drawControl(Ui& ui, const Row& row, const SwitchRow& toggle) {
     bool on = toggle.get(ui.subject);
     if (ImGui::Checkbox((std::string("##") + row.label).c_str(), &on)) toggle.set(ui.subject, on);
     notePlace(ui, row.label);
-    showTip(row.tip);
+    showTip(ui, row.tip);
 }
 
 void drawControl(Ui& ui, const Row& row, const ColourRow& colour) {
@@ -80,14 +93,14 @@ void drawControl(Ui& ui, const Row& row, const ColourRow& colour) {
     if (ImGui::ColorEdit3((std::string("##") + row.label).c_str(), rgb, ImGuiColorEditFlags_Float))
         colour.set(ui.subject, dvec3(double(rgb[0]), double(rgb[1]), double(rgb[2])));
     notePlace(ui, row.label);
-    showTip(row.tip);
+    showTip(ui, row.tip);
 }
 
 void drawRow(Ui& ui, const Row& row) {
     const float start = ImGui::GetCursorPosX(), wide = ImGui::GetContentRegionAvail().x;
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(row.label);
-    showTip(row.tip);
+    showTip(ui, row.tip);
     ImGui::SameLine(start + kLabelShare * wide);
     std::visit([&](const auto& control) { drawControl(ui, row, control); }, row.control);
 }
@@ -103,7 +116,7 @@ void drawSections(Ui& ui) {
             open =
                 ImGui::CollapsingHeader(row.section, first ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
             notePlace(ui, row.section);
-            showTip("Click: folds this section, or opens it.");
+            showTip(ui, "Click: folds this section, or opens it.");
         }
         if (open) drawRow(ui, row);
     }
@@ -115,7 +128,7 @@ void commandButton(Ui& ui, const char* name, const char* tip, Command command) {
     if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + wide < right) ImGui::SameLine();
     if (ImGui::Button(name)) ui.command = command;
     notePlace(ui, name);
-    showTip(tip);
+    showTip(ui, tip);
 }
 
 void drawButtons(Ui& ui) {
@@ -143,8 +156,9 @@ void drawDockButton(Ui& ui) {
     if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + wide < right) ImGui::SameLine();
     if (ImGui::Button(name)) ui.docked = !ui.docked;
     notePlace(ui, "Dock");
-    showTip(ui.docked ? "Lets the panel float over the picture."
-                      : "Puts the panel beside the picture, at the window's right edge; dragging it there does, too.");
+    showTip(ui, ui.docked
+                    ? "Lets the panel float over the picture."
+                    : "Puts the panel beside the picture, at the window's right edge; dragging it there does, too.");
 }
 
 void drawFigures(const Figures& figures) {
@@ -186,13 +200,11 @@ void dockAtEdge(Ui& ui, const Extent& window) {
 
 }  // namespace
 
-void showTip(const char* tip) {
-    if (!ImGui::IsItemHovered()) return;
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(22.0f * ImGui::GetFontSize());
-    ImGui::TextUnformatted(tip);
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
+float freeRight(const Ui& ui, const Extent& window, float top) {
+    const auto& [x0, y0, x1, y1] = ui.panel_box;
+    const float width = float(window.picture_width);
+    const bool covers = ui.panel_open && !ui.docked && y1 > top && x0 > 0.25f * width && x1 > 0.85f * width;
+    return covers ? std::min(x0, width) : width;
 }
 
 int panelWidth(double scale) {
@@ -214,6 +226,7 @@ void drawPanel(Ui& ui, const Extent& window) {
     const float title_height = ImGui::GetFrameHeight(), bottom = corner.y + title_height;
     ui.places.emplace_back("Title", std::array{corner.x, corner.y, corner.x + ImGui::GetWindowWidth(), bottom});
     ui.places.emplace_back("Fold", std::array{corner.x, corner.y, corner.x + 1.3f * title_height, bottom});
+    ui.panel_box = {corner.x, corner.y, corner.x + ImGui::GetWindowWidth(), corner.y + ImGui::GetWindowHeight()};
     if (!ui.docked) dockAtEdge(ui, window);
     ImGui::End();
 }

@@ -84,10 +84,13 @@ std::function<std::vector<std::string>(const Subject&)> names(std::vector<std::s
 }
 
 void addRelief(std::vector<Row>& rows) {
-    rows.push_back({"Relief", "Exaggeration", "How many times as high as the file says the relief is.",
-                    NumberRow{0.0, 10.0, "%.2f x", [](const Subject& s) { return s.edits().exaggeration; },
-                              [](Subject& s, double x) { s.edits().exaggeration = x; }},
-                    hasRelief});
+    rows.push_back(
+        {"Relief", "Exaggeration",
+         "How many times as high as the file says the relief is. A saved scene holds the heights as they are "
+         "shown: it begins at 1 again.",
+         NumberRow{0.0, 10.0, "%.2f x file", [](const Subject& s) { return s.edits().exaggeration; },
+                   [](Subject& s, double x) { s.edits().exaggeration = x; }},
+         hasRelief});
     rows.push_back(
         {"Relief", "Zero level",
          "The height that lies on the sphere itself, as a share of the map's range (midlevel): 0 raises all "
@@ -107,22 +110,27 @@ void addRelief(std::vector<Row>& rows) {
 
 void addLight(std::vector<Row>& rows) {
     rows.push_back({"Light", "Sun longitude",
-                    "The meridian of the object above which the sun stands. L + drag moves it.",
-                    NumberRow{-180.0, 180.0, "%.1f° E", [](const Subject& s) { return sunAngles(s).longitude; },
+                    "The meridian of the object above which the sun stands: 20, 20 W or -20. L + drag moves it.",
+                    NumberRow{-180.0, 180.0, "%.1f°", [](const Subject& s) { return sunAngles(s).longitude; },
                               [](Subject& s, double x) {
                                   setSun(s, {sunAngles(s).latitude, x});
-                              }},
+                              },
+                              false, "EW"},
                     hasSun});
-    rows.push_back({"Light", "Sun latitude", "How far north of the equator the sun stands.",
-                    NumberRow{-89.9, 89.9, "%.1f° N", [](const Subject& s) { return sunAngles(s).latitude; },
+    rows.push_back({"Light", "Sun latitude", "How far north or south of the equator the sun stands: 20, 20 S or -20.",
+                    NumberRow{-89.9, 89.9, "%.1f°", [](const Subject& s) { return sunAngles(s).latitude; },
                               [](Subject& s, double x) {
                                   setSun(s, {x, sunAngles(s).longitude});
-                              }},
+                              },
+                              false, "NS"},
                     hasSun});
-    rows.push_back({"Light", "Sun brightness", "How many times as bright as the file says the sun is.",
-                    NumberRow{0.0, 10.0, "%.2f x", [](const Subject& s) { return s.state.edits.sun_brightness; },
-                              [](Subject& s, double x) { s.state.edits.sun_brightness = std::max(x, 0.0); }},
-                    hasSun});
+    rows.push_back(
+        {"Light", "Sun brightness",
+         "How many times as bright as the file says the sun is. A saved scene holds the light as it is shown: it "
+         "begins at 1 again.",
+         NumberRow{0.0, 10.0, "%.2f x file", [](const Subject& s) { return s.state.edits.sun_brightness; },
+                   [](Subject& s, double x) { s.state.edits.sun_brightness = std::max(x, 0.0); }},
+         hasSun});
     rows.push_back(
         {"Light", "Night side",
          "Light from opposite the sun, as a share of the sun's: shows the relief of the night side. Saved with the "

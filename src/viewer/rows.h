@@ -16,6 +16,7 @@ struct NumberRow {
     std::function<double(const Subject&)> get;
     std::function<void(Subject&, double)> set;
     bool logarithmic = false;
+    const char* directions = nullptr;  ///< degrees.h's, of degrees that are shown and typed with them
 };
 
 /// One of a few names.

@@ -39,6 +39,15 @@ Scene explicitScene(const Document& document) {
     return scene;
 }
 
+/// ", heights of planet 2 times 3": those that are not the file's.
+std::string exaggerations(const Document& document, const Edits& edits) {
+    std::string text;
+    for (std::size_t i = 0; i < edits.shapes.size(); ++i)
+        if (const double times = edits.shapes[i].exaggeration; times != 1.0)
+            text += fmt::format(", heights of the {} times {}", shapeName(document.original, i), times);
+    return text;
+}
+
 }  // namespace
 
 // NAME-1, NAME-2 ... in the working folder: the first that neither a picture nor a scene has, so that what a saved
@@ -57,7 +66,7 @@ std::string App::freeName() const {
 }
 
 void App::takeScreenshot() {
-    screenshot_wanted_ = false;
+    screenshot_.reset();
     try {
         const std::filesystem::path path = freeName() + ".png";
         ProgressiveFilm& film = stage_->film();
@@ -69,6 +78,7 @@ void App::takeScreenshot() {
             display_.pixels().download(0, 4 * codes.size(), codes.data());
             writePng(path, decoded(codes, film.width(), film.height()));
         }
+        options_.wrote(std::filesystem::current_path() / path);
         say(fmt::format("Wrote {}, {} sample{} a pixel, into {}", path.string(), film.samples(),
                         film.samples() == 1 ? "" : "s", std::filesystem::current_path().string()));
     } catch (const Error& error) {
@@ -93,12 +103,13 @@ void App::saveScene() {
         options += fmt::format(" --detail {}", chosen_.view.method.detail);
     const std::string command = fmt::format("dsphere render {}{}", path.string(), options);
     AtomicFile file(path);
-    const std::string text =
-        fmt::format("# Saved by dsphere view from {}. Rendered as it was seen by\n#     {}\n{}",
-                    stage_->document().path, command, sceneText(scene, std::filesystem::current_path()));
+    const std::string text = fmt::format("# Saved by dsphere view from {}{}. Rendered as it was seen by\n#     {}\n{}",
+                                         stage_->document().path, exaggerations(stage_->document(), shown_edits_),
+                                         command, sceneText(scene, std::filesystem::current_path()));
     file.write(text.data(), text.size());
     file.commit();
     saved_edits_ = shown_edits_;
+    options_.wrote(std::filesystem::current_path() / path);
     say(fmt::format("Wrote {} into {}\n{}", path.string(), std::filesystem::current_path().string(), command));
 }
 

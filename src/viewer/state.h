@@ -39,6 +39,19 @@ class History {
         if (states_.size() > kMost) states_.erase(states_.begin());
         present_ = states_.size() - 1;
     }
+    /// Changes all states, which then hold what can be gone back to: those that become alike are one from then on.
+    template <typename Change>
+    void amend(const Change& change) {
+        std::vector<State> kept;
+        std::size_t present = 0;
+        for (std::size_t i = 0; i < states_.size(); ++i) {
+            change(states_[i]);
+            if (kept.empty() || !(kept.back() == states_[i])) kept.push_back(std::move(states_[i]));
+            if (i == present_) present = kept.size() - 1;
+        }
+        states_ = std::move(kept);
+        present_ = present;
+    }
     /// The state before (-1) or after (+1); null at the ends.
     const State* step(int by) {
         if (by < 0 ? present_ == 0 : present_ + 1 >= states_.size()) return nullptr;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "viewer/overlay.h"
@@ -93,27 +94,28 @@ void drawStatusBar(Ui& ui, const Extent& window) {
     place(left);
     if (with_file) {
         ImGui::TextUnformatted(ui.figures.file.c_str());
-        showTip("The file that is shown. Ctrl + O opens another.");
+        showTip(ui, "The file that is shown. Ctrl + O opens another.");
         left += widthOf(ui.figures.file.c_str()) + 2.0f * pad;
     }
     if (with_progress) {
         place(left);
         ImGui::TextDisabled("%s", progress.c_str());
-        showTip("How many samples a pixel the picture has, of those that it will have; its size while the view moves.");
+        showTip(ui,
+                "How many samples a pixel the picture has, of those that it will have; its size while the view moves.");
     }
     const float right = float(width) - pad - (with_buttons ? buttons + 2.0f * pad : 0.0f);
     if (hover > 0.0f) {
         place(std::max(pad, right - hover + 2.0f * pad));
         ImGui::TextUnformatted(ui.figures.hover.c_str());
-        showTip("What is under the cursor.");
+        showTip(ui, "What is under the cursor.");
     }
     if (with_buttons) {
         place(float(width) - pad - buttons);
         if (ImGui::Button("Tab: panel")) ui.command = Command::Panel;
-        showTip("All that can be changed: relief, light, colours, values.");
+        showTip(ui, "All that can be changed: relief, light, colours, values.");
         ImGui::SameLine();
         if (ImGui::Button("H: keys")) ui.command = Command::Keys;
-        showTip("What the mouse and every key do.");
+        showTip(ui, "What the mouse and every key do.");
     }
     ImGui::End();
     ImGui::PopStyleVar(4);
@@ -121,12 +123,15 @@ void drawStatusBar(Ui& ui, const Extent& window) {
 
 void drawMessage(Ui& ui, const Extent& window) {
     if (ui.message.text.empty()) return;
-    const float pad = 12.0f * float(window.scale), wide = 0.6f * float(window.width);
+    const float unit = float(window.scale), pad = 12.0f * unit, width = float(window.width);
+    const float free = freeRight(ui, window, 0.0f) - 2.0f * pad, usual = std::max(0.6f * width, 420.0f * unit);
+    const float wide = std::min(free > 200.0f * unit ? free : width - 2.0f * pad, usual);
+    const float high = float(window.height - statusHeight(window.scale)) - 2.0f * pad;
     ImGui::SetNextWindowPos(ImVec2(pad, pad));
-    ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f), ImVec2(wide, 1e6f));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f), ImVec2(wide, high));
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, float(ui.message.alpha));
-    ImGui::Begin("message", nullptr, kFixed | ImGuiWindowFlags_AlwaysAutoResize);
-    ImGui::PushTextWrapPos(0.97f * wide);
+    ImGui::Begin("message", nullptr, (kFixed & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PushTextWrapPos(wide - ImGui::GetStyle().WindowPadding.x - ImGui::GetStyle().ScrollbarSize);
     if (ui.message.kind == Message::Kind::Error) ImGui::TextColored(ImVec4(1.0f, 0.55f, 0.45f, 1.0f), "Error");
     if (ui.message.kind == Message::Kind::Warning) ImGui::TextColored(ImVec4(1.0f, 0.80f, 0.35f, 1.0f), "Warning");
     ImGui::TextUnformatted(ui.message.text.c_str());
@@ -134,7 +139,7 @@ void drawMessage(Ui& ui, const Extent& window) {
     if (ui.message.stays()) {
         if (ImGui::Button("Dismiss")) ui.message.text.clear();
         notePlace(ui, "Dismiss");
-        showTip("Takes this message away (Esc).");
+        showTip(ui, "Takes this message away (Esc).");
     }
     ImGui::End();
     ImGui::PopStyleVar();
@@ -155,18 +160,34 @@ void drawBar(ImDrawList& list, const ImVec2& low, const ImVec2& high, double sha
     list.AddRectFilled(ImVec2(begin, low.y), ImVec2(end, high.y), IM_COL32(92, 160, 255, 255), round);
 }
 
+/// What is waited for, and how much of it is done; negative: unknown.
+struct Progress {
+    std::string text;
+    double share;
+};
+
+std::optional<Progress> progressOf(const Figures& figures, bool has_picture) {
+    if (!figures.busy.empty() && (figures.busy_seconds > 0.3 || !has_picture)) {
+        const std::string done = figures.busy_share < 0.0 ? fmt::format("{:.0f} s", figures.busy_seconds)
+                                                          : fmt::format("{:.0f} %", 100.0 * figures.busy_share);
+        return Progress{fmt::format("{} ...  {}", figures.busy, done), figures.busy_share};
+    }
+    if (figures.screenshot_waits)
+        return Progress{fmt::format("Screenshot after {} samples, {} so far.  F12: now, Esc: none",
+                                    figures.target_samples, figures.samples),
+                        double(figures.samples) / double(std::max(figures.target_samples, 1))};
+    if (figures.sample_share < 0.0 && has_picture) return {};
+    const double share = std::max(figures.sample_share, 0.0);
+    return Progress{fmt::format("Rendering the first sample ...  {:.0f} %", 100.0 * share), share};
+}
+
 }  // namespace
 
 // In the middle while there is no picture yet, else at its foot.
 void drawProgress(const Ui& ui, const Extent& window) {
-    const Figures& figures = ui.figures;
-    if (ui.starting) return;
-    const bool busy = !figures.busy.empty() && (figures.busy_seconds > 0.3 || !ui.has_picture);
-    if (!busy && figures.sample_share < 0.0 && ui.has_picture) return;
-    const std::string text = busy ? figures.busy : "Rendering the first sample";
-    const double share = busy ? figures.busy_share : std::max(figures.sample_share, 0.0);
-    const std::string line = share < 0.0 ? fmt::format("{} ...  {:.0f} s", text, figures.busy_seconds)
-                                         : fmt::format("{} ...  {:.0f} %", text, 100.0 * share);
+    const std::optional<Progress> progress = progressOf(ui.figures, ui.has_picture);
+    if (ui.starting || !progress) return;
+    const std::string& line = progress->text;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const float unit = float(window.scale), size = (ui.has_picture ? 1.0f : 1.3f) * ImGui::GetFontSize();
     const ImVec2 text_size = ImGui::GetFont()->CalcTextSizeA(size, 1e6f, 0.0f, line.c_str());
@@ -179,28 +200,7 @@ void drawProgress(const Ui& ui, const Extent& window) {
                        IM_COL32(20, 20, 22, 215), 6.0f * unit);
     list.AddText(ImGui::GetFont(), size, ImVec2(middle - 0.5f * text_size.x, low.y - 1.5f * size),
                  IM_COL32(255, 255, 255, 235), line.c_str());
-    drawBar(list, low, high, share, figures.busy_seconds);
-}
-
-void drawClosing(Ui& ui, const Extent& window) {
-    ImGui::SetNextWindowPos(ImVec2(0.5f * float(window.width), 0.4f * float(window.height)), ImGuiCond_Always,
-                            ImVec2(0.5f, 0.5f));
-    ImGui::SetNextWindowFocus();
-    ImGui::Begin("Unsaved changes", nullptr,
-                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoMove);
-    ImGui::TextUnformatted("The panel's changes are in no scene file yet.");
-    const auto choice = [&](const char* name, Command command, const char* tip) {
-        if (ImGui::Button(name)) ui.command = command, ui.closing = false;
-        notePlace(ui, name);
-        showTip(tip);
-    };
-    choice("Save and close", Command::SaveAndQuit, "Writes a new scene file first.");
-    ImGui::SameLine();
-    choice("Close without saving", Command::QuitUnsaved, "The panel's changes are lost.");
-    ImGui::SameLine();
-    choice("Go on", Command::None, "Back to the picture.");
-    ImGui::End();
+    drawBar(list, low, high, progress->share, ui.figures.busy_seconds);
 }
 
 // A window that appears is laid out once unseen, to learn its size.
@@ -230,7 +230,7 @@ void layOut(Ui& ui, const Extent& window) {
     if (ui.path.open) drawPathBox(ui, window);
     if (ui.keys_open) drawKeys(ui, window);
     drawMessage(ui, window);
-    if (ui.closing) drawClosing(ui, window);
+    if (ui.leaving.asked) drawLeaving(ui, window);
 }
 
 }  // namespace dsphere::viewer

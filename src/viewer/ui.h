@@ -30,12 +30,13 @@ struct Figures {
     int samples = 0, target_samples = 0, width = 0, height = 0;
     double frame_seconds = 0.0, rays_per_second = 0.0;
     bool moving = false;
-    std::string busy;            ///< what is being done on another thread; empty: nothing
-    double busy_seconds = 0.0;   ///< since when
-    double busy_share = -1.0;    ///< of that, 0 to 1; -1: unknown
-    double sample_share = -1.0;  ///< of a first sample that takes long, 0 to 1; -1: there is none
-    float u = 1.0f, v = 1.0f;    ///< the part of the picture's texture that is in use
-    std::string hover;           ///< of what is under the cursor; empty beside all objects
+    std::string busy;               ///< what is being done on another thread; empty: nothing
+    double busy_seconds = 0.0;      ///< since when
+    double busy_share = -1.0;       ///< of that, 0 to 1; -1: unknown
+    double sample_share = -1.0;     ///< of a first sample that takes long, 0 to 1; -1: there is none
+    bool screenshot_waits = false;  ///< for the target's samples
+    float u = 1.0f, v = 1.0f;       ///< the part of the picture's texture that is in use
+    std::string hover;              ///< of what is under the cursor; empty beside all objects
     Gauges gauges;
     ShownRange range;         ///< of the values that are shown
     std::string height_unit;  ///< of the target's heights; empty: unknown
@@ -90,11 +91,19 @@ struct PathBox {
     std::string chosen;  ///< to be opened
 };
 
+/// The question before changes are lost that are in no scene file.
+struct Leaving {
+    bool asked = false;
+    std::string file;     ///< that is to be opened; empty: the window is to be closed
+    std::string changes;  ///< in words
+    std::string save_as;  ///< what saving writes, and where
+};
+
 /// All that the panels show and change. The viewer takes what comes back as the new state.
 struct Ui {
     Subject subject;
     State untouched;  ///< as the file was opened: what reset goes back to
-    bool panel_open = false, keys_open = false, closing = false;
+    bool panel_open = false, keys_open = false;
     bool let_go = false;  ///< the next frame closes open lists
     bool has_picture = false;
     bool starting = false;            ///< no file is open or being read
@@ -102,11 +111,13 @@ struct Ui {
     bool docked = false;              ///< the panel takes the window's right side, and the picture ends beside it
     GoTo go_to;
     PathBox path;
+    Leaving leaving;
     Message message;
     Command command = Command::None;
     Figures figures;
     Places places;
-    std::string resetting;  ///< the row whose slider is being reset, until the mouse is let go
+    std::array<float, 4> panel_box = {};  ///< of the last frame, pixels: x0, y0, x1, y1
+    std::string resetting;                ///< the row whose slider is being reset, until the mouse is let go
 };
 
 /// The window in pixels, and the display's scale.
@@ -129,13 +140,16 @@ void drawPathBox(Ui& ui, const Extent& window);
 void drawKeys(Ui& ui, const Extent& window);
 void drawProgress(const Ui& ui, const Extent& window);
 void drawMessage(Ui& ui, const Extent& window);
-void drawClosing(Ui& ui, const Extent& window);
+void drawLeaving(Ui& ui, const Extent& window);
 
 /// Remembers where the control that was just laid out is.
 void notePlace(Ui& ui, const std::string& label);
 
-/// A tip beside the control that was just laid out, if the mouse is on it.
-void showTip(const char* tip);
+/// A tip for the control that was just laid out, if the mouse is on it: beside its window, or else above or below it.
+void showTip(Ui& ui, const char* tip);
+
+/// How far to the right the picture can be seen below `top`: a floating panel covers its right side.
+float freeRight(const Ui& ui, const Extent& window, float top);
 
 /// The width of the panel in pixels.
 int panelWidth(double scale);

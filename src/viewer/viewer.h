@@ -4,6 +4,7 @@
 #include "viewer/document.h"
 #include "viewer/show.h"
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@ struct ViewerOptions {
     bool apart = false;                 ///< present with a device of its own, as where the chosen one cannot
     std::string journal;                ///< a file that gets a line of JSON a frame; empty: none
     std::function<bool()> interrupted;  ///< polled; true ends the program
+    std::function<void(const std::filesystem::path&)> wrote;  ///< told of each screenshot and scene
 };
 
 /// Shows a scene in a window until it is closed. Throws Error: (NoDevice) without a display or a device that presents,

@@ -116,6 +116,50 @@ TEST(CameraControl, NeverGoesThroughTheGround) {
     EXPECT_GE(view.control.altitude(), 0.999 * CameraControl::kLowest);
 }
 
+// With the cursor beside the middle: where the ray comes as near as the eye may, the wheel stops.
+TEST(CameraControl, TheWheelStopsAtTheGroundAndDoesNotSlide) {
+    View view("LookAt 0 0 1.00115  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" 90");
+    const dvec2 cursor(620.0, 180.0);
+    const dvec3 start = Pose::of(view.control.camera()).eye;
+    dvec3 last = start;
+    for (int i = 0; i < 30; ++i) {
+        const dvec3 ray = view.control.rayAt(cursor).direction;
+        view.control.zoom(cursor, view.under(cursor), 1.0);
+        const dvec3 eye = Pose::of(view.control.camera()).eye, moved = eye - last;
+        EXPECT_LT(glm::length(glm::cross(moved, ray)), 1e-9) << "along the cursor's ray alone";
+        last = eye;
+    }
+    EXPECT_GE(view.control.altitude(), 0.999 * CameraControl::kLowest);
+    EXPECT_LT(glm::length(last - start), 0.001);
+    const Camera stopped = view.control.camera();
+    view.control.zoom(cursor, view.under(cursor), 1.0);
+    EXPECT_EQ(view.control.camera(), stopped);
+}
+
+std::shared_ptr<const Bodies> ballOf(double radius) {
+    Relief relief;
+    relief.base = relief.least_radius = relief.greatest_radius = radius;
+    const Scene scene = parseScene("WorldBegin\nShape \"displacedsphere\"\n", "ball.pbrt", {});
+    return std::make_shared<const Bodies>(std::vector{Globe(scene.shapes[0], nullptr, relief)});
+}
+
+TEST(CameraControl, GroundThatRisesPastTheEyeTakesItAlongAndBack) {
+    View view("LookAt 0 0 3  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" 40");
+    const Camera before = view.control.camera();
+    EXPECT_FALSE(view.control.setBodies(ballOf(1.5)));
+    EXPECT_EQ(view.control.camera(), before) << "it has room";
+    EXPECT_TRUE(view.control.setBodies(ballOf(30.0)));
+    EXPECT_NEAR(Pose::of(view.control.camera()).eye.z, 60.0, 1e-9) << "as large in the window as it was";
+    EXPECT_FALSE(view.control.setBodies(ballOf(1.0)));
+    EXPECT_EQ(view.control.camera(), before);
+    view.control.setBodies(ballOf(30.0));
+    view.control.reset();
+    EXPECT_GT(view.control.altitude(), 30.0) << "the first view would be inside";
+    const Camera moved = view.control.camera();
+    view.control.setBodies(ballOf(1.0));
+    EXPECT_EQ(view.control.camera(), moved) << "where the eye was put since, it stays";
+}
+
 TEST(CameraControl, ZoomsOutWhileThePlanetIsSeenAndComesBack) {
     View view(kCameras[0]);
     const dvec2 cursor(320.0, 180.0);

@@ -117,7 +117,7 @@ Viewing::Viewing(const Desktop& desktop, const std::filesystem::path& folder, st
           }(),
           {"DISPLAY=" + desktop.display(), "XDG_CACHE_HOME=" + (folder / "cache").string(),
            "XDG_STATE_HOME=" + (folder / "state").string(), DSPHERE_SHADER_CACHE, "ASAN_OPTIONS=detect_leaks=0"},
-          folder, {}, folder / "errors") {}
+          folder, folder / "output", folder / "errors") {}
 
 std::vector<json> Viewing::lines() const {
     std::istringstream text(readBytes(folder_ / "journal"));
@@ -166,6 +166,10 @@ std::string Viewing::place(const std::string& label) {
         return std::to_string(int(0.5 * (box[low].get<double>() + box[high].get<double>())));
     };
     return middle(0, 2) + " " + middle(1, 3);
+}
+
+std::string Viewing::output() const {
+    return readBytes(folder_ / "output");
 }
 
 std::string Viewing::errors() const {

@@ -72,6 +72,7 @@ class Viewing {
 
     int finish() { return process_.finish(20.0); }
     std::string errors() const;
+    std::string output() const;
 
   private:
     std::filesystem::path folder_;

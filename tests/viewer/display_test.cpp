@@ -72,6 +72,36 @@ class DisplayTest : public testing::Test {
     std::vector<std::uint32_t> codes_;
 };
 
+/// Where a sample is half done, the pixels that have it are as bright as the others.
+TEST_F(DisplayTest, SumsAreShownBetweenSamplesAndWithin) {
+    show(test::fractalMap(512, 256), "2");
+    take(Show::Colour, true);
+    stage_->begin({}, Sampling::Jittered, true);
+    ProgressiveFilm& film = stage_->film();
+    const auto shown = [&] {
+        display_.convert(film, {}, displayWorld(stage_->document()));
+        display_.pixels().download(0, 4 * codes_.size(), codes_.data());
+        return codes_;
+    };
+    const auto light = [&](int y0, int y1) {
+        double sum = 0.0;
+        for (int y = y0; y < y1; ++y)
+            for (int x = 0; x < kFilmWidth; ++x) sum += at(x, y).light();
+        return sum;
+    };
+    while (!film.step(1.0)) {
+    }
+    const std::vector<std::uint32_t> one = shown();
+    const double upper = light(0, kFilmHeight / 2);
+    while (film.share() < 0.4) ASSERT_FALSE(film.step(1e-6));
+    ASSERT_FALSE(film.between());
+    const std::vector<std::uint32_t> half = shown();
+    EXPECT_NE(half, one);
+    EXPECT_NEAR(light(0, kFilmHeight / 2), upper, 0.1 * upper) << "in codes, of which the mean of two samples has more";
+    const auto lower = std::ptrdiff_t(kFilmWidth) * (3 * kFilmHeight / 4);
+    EXPECT_TRUE(std::equal(half.begin() + lower, half.end(), one.begin() + lower)) << "which has one sample yet";
+}
+
 /// The sun stands on the right, so the left half of the planet is in the night.
 TEST_F(DisplayTest, TheTerminatorStaysWhereShadowsAreLeftOut) {
     const int middle = kFilmWidth / 2, night = middle - kPlanetRadius / 4, day = middle + kPlanetRadius / 4;

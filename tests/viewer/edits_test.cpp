@@ -48,7 +48,6 @@ TEST(Edits, TakeTheLeastWork) {
     EXPECT_EQ(rework([](Edits& e) { e.shapes[2].texture = ConstantColour{}; }), Rework::Nothing) << "mirrors have none";
 }
 
-// Nothing equals NaN, not even itself.
 TEST(Edits, TheNightSideHasALightOfItsOwn) {
     const Scene original = parsed(kPlanets);
     Edits edits = noEdits(original, 1.0);
@@ -61,8 +60,18 @@ TEST(Edits, TheNightSideHasALightOfItsOwn) {
     EXPECT_EQ(reworkBetween(original, lit), Rework::Reading) << "shaders know how many lights there are";
     edits.night_light = 0.5;
     EXPECT_EQ(reworkBetween(lit, edited(original, edits)), Rework::Look);
+    // Saved and opened again.
+    Edits again = noEdits(lit, 1.0);
+    EXPECT_EQ(again.night_light, 0.25);
+    EXPECT_EQ(edited(lit, again).lights, lit.lights);
+    again.night_light = 0.5;
+    again.sun_direction = dvec3(1.0, 0.0, 0.0);
+    const Scene turned = edited(lit, again);
+    ASSERT_EQ(turned.lights.size(), 2u) << "the one that was there";
+    EXPECT_EQ(std::get<DistantLight>(turned.lights[1]), (DistantLight{{-1.0, 0.0, 0.0}, 0.5 * sun.radiance}));
 }
 
+// Nothing equals NaN, not even itself.
 TEST(Edits, AnUnknownValueOfNanIsNoChange) {
     Scene original = parsed(kPlanets);
     std::get<DisplacedSphere>(original.shapes[0].geometry).nodata = std::numeric_limits<double>::quiet_NaN();
@@ -121,6 +130,22 @@ TEST(History, GoesBackAndForth) {
     history.add(state);
     EXPECT_EQ(history.step(1), nullptr) << "a change ends what could be redone";
     EXPECT_EQ(history.step(-1)->tone.exposure, 2.0f);
+}
+
+TEST(History, WhatCannotBeShownIsNotGoneBackTo) {
+    State state;
+    History history;
+    history.start(state);
+    for (const float exposure : {1.0f, 2.0f, 1.0f}) {
+        state.tone.exposure = exposure;
+        history.add(state);
+    }
+    history.amend([](State& one) {
+        if (one.tone.exposure == 2.0f) one.tone.exposure = 1.0f;
+    });
+    ASSERT_NE(history.step(-1), nullptr);
+    EXPECT_EQ(history.step(-1), nullptr) << "the three that are alike now are one";
+    EXPECT_EQ(history.step(1)->tone.exposure, 1.0f);
 }
 
 TEST(History, ForgetsTheOldest) {

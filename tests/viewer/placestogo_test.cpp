@@ -130,6 +130,15 @@ TEST_F(WindowTest, ThePanelIsDockedMovedAndFolded) {
         return frame.at("docked") && frame.at("film")[0] == 520 && at(frame.at("places"), "Title", 0) == 520.0;
     });
     viewing.waitForStill();
+    hand("mousemove " + viewing.place("Exaggeration"));
+    const json tipped = viewing.waitFor("its tip", has("Tip"));
+    EXPECT_LT(at(tipped.at("places"), "Tip", 2), 520.0) << "beside the panel";
+    click(viewing, "Sun longitude value", "click 1 key ctrl+a type '42 W'");
+    hand("key Return");
+    viewing.waitFor("42 W", [](const json& frame) { return std::abs(at(frame, "sun", 1) + 42.0) < 1e-9; });
+    click(viewing, "Sun latitude value", "click 1 key ctrl+a type '10.5s'");
+    hand("key Return");
+    viewing.waitFor("10.5 S", [](const json& frame) { return std::abs(at(frame, "sun", 0) + 10.5) < 1e-9; });
     click(viewing, "Night side value", "click 1 key ctrl+a type 40");
     hand("key Return");
     viewing.waitFor("a light for the night", is("night_light", 0.4));

@@ -99,16 +99,22 @@ TEST_F(WindowTest, ThePanelChangesAndTakesBack) {
     json last =
         viewing.waitFor("the last that fits", [](const json& frame) { return frame.at("exaggeration") > -1000; });
     EXPECT_FALSE(last.at("error")) << "it goes by itself: the picture is good";
+    for (int i = 0; i < 5 && viewing.last().at("exaggeration") != 1.25; ++i) hand("key ctrl+z sleep 0.4");
+    EXPECT_EQ(viewing.last().at("exaggeration"), 1.25) << "undo goes past what was refused";
 
     click(viewing, "Exaggeration value", "click 1 key ctrl+a type 2");
     hand("key Return");
     viewing.waitFor("an edit", is("exaggeration", 2.0));
     hand("mousemove 200 300 key Escape sleep 0.3 key Escape");
-    viewing.waitFor("a question, since there are edits", is("closing", true));
-    click(viewing, "Save and close");
+    viewing.waitFor("a question, since there are edits", is("asks", true));
+    hand("key Tab sleep 0.2 key ctrl+q sleep 0.2");
+    EXPECT_TRUE(viewing.last().at("asks")) << "asking twice is no answer";
+    EXPECT_FALSE(viewing.last().at("panel")) << "nor is another key";
+    click(viewing, "Leaving/Save");
     EXPECT_EQ(viewing.finish(), 0) << viewing.errors();
     EXPECT_EQ(viewing.errors(), "");
     EXPECT_TRUE(std::filesystem::exists(path("fractal-1.pbrt")));
+    EXPECT_EQ(viewing.output(), "wrote " + path("fractal-1.pbrt").string() + "\n");
 }
 
 /// A planet, a smaller one beside it, and a plain sphere.
@@ -232,7 +238,16 @@ TEST_F(WindowTest, SizesAndFiles) {
     hand("search --name dsphere windowsize --sync 640 387");
     viewing.waitFor("the first size", is("window", json({640, 387})));
     viewing.waitForStill();
-    hand("key Escape sleep 0.3 key ctrl+q sleep 0.3 key ctrl+q");
+    ASSERT_TRUE(desktop_->drop(path("fractal.pgm")));
+    viewing.waitFor("a question, since there is an edit", is("asks", true));
+    hand("key Escape");
+    viewing.waitFor("the edit that stays", is("asks", false));
+    EXPECT_EQ(viewing.last().at("file"), "other.pgm");
+    EXPECT_EQ(viewing.last().at("exaggeration"), 2.5);
+    ASSERT_TRUE(desktop_->drop(path("fractal.pgm")));
+    click(viewing, "Leaving/Discard");
+    viewing.waitFor("the file that was dropped", is("file", "fractal.pgm"));
+    hand("key ctrl+q");
     EXPECT_EQ(viewing.finish(), 0) << viewing.errors();
     EXPECT_EQ(viewing.errors(), "");
 }
