@@ -78,7 +78,10 @@ dvec2 App::share(const dvec2& cursor) const {
 }
 
 int App::targetSamples() const {
-    if (chosen_.view.show != Show::Colour || stage_->document().provisional()) return 1;
+    return chosen_.view.show != Show::Colour || stage_->document().provisional() ? 1 : pictureSamples();
+}
+
+int App::pictureSamples() const {
     return options_.samples.value_or(std::clamp(stage_->document().original.sampler.pixel_samples, 16, 65536));
 }
 

@@ -124,7 +124,8 @@ class App {
     void layOutFrame();
     void drawFrame();
     bool idle() const;
-    int targetSamples() const;
+    int targetSamples() const;   ///< of what is shown
+    int pictureSamples() const;  ///< of the picture, also where a value is in its place
     void viewChanged(bool moving) { schedule_.change(window_.now(), moving); }
     void syncCamera();
     void say(const std::string& text, Message::Kind kind = Message::Kind::Said);

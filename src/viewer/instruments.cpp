@@ -134,12 +134,20 @@ Strip stripOf(const Ui& ui, const Extent& window) {
     return {margin, freeRight(ui, window, bottom - 140.0f * unit) - margin, bottom - 78.0f * unit};
 }
 
-/// Above `bottom`; returns its upper edge.
-float drawLegend(const std::string& text, const Strip& strip, float bottom, double scale) {
+/// What text over the picture is read on.
+void drawBacking(const ImVec2& low, const ImVec2& high, double scale) {
+    const float pad = 5.0f * float(scale);
+    ImGui::GetBackgroundDrawList()->AddRectFilled(ImVec2(low.x - pad, low.y - pad), ImVec2(high.x + pad, high.y + pad),
+                                                  IM_COL32(20, 20, 24, 150), pad);
+}
+
+/// A text above `bottom`, and what it is read on, which holds what is beneath it, too: so wide, as far as `end`.
+void drawLegend(const std::string& text, const Strip& strip, float bottom, float wide, float end, double scale) {
     const float wrap = std::max(strip.right - strip.left, kLeastStrip * float(scale));
-    const float top = bottom - ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap).y;
-    drawShadedText(ImVec2(strip.left, top), text, scale, wrap);
-    return top;
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+    const ImVec2 corner(strip.left, bottom - size.y);
+    drawBacking(corner, ImVec2(strip.left + std::max(size.x, wide), end), scale);
+    drawShadedText(corner, text, scale, wrap);
 }
 
 void drawColourBar(const ColourBar& bar, const Strip& strip, double scale) {
@@ -148,14 +156,14 @@ void drawColourBar(const ColourBar& bar, const Strip& strip, double scale) {
     const float unit = float(scale), high = 10.0f * unit, line = ImGui::GetFontSize(), left = strip.left;
     const float wide = std::clamp(strip.right - left, 60.0f * unit, 260.0f * unit);
     const float top = strip.bottom - line - high - 14.0f * unit;
-    drawLegend(bar.title, strip, top - 4.0f * unit, scale);
+    const float below = top + high + 3.0f * unit, gap = 8.0f * unit;
+    drawLegend(bar.title, strip, top - 4.0f * unit, wide, below + line, scale);
     list.AddRectFilled(ImVec2(left - unit, top - unit), ImVec2(left + wide + unit, top + high + unit), kShade);
     for (int i = 0; i < kPieces; ++i) {
         const ImU32 begin = bar.code(double(i) / kPieces), end = bar.code(double(i + 1) / kPieces);
         list.AddRectFilledMultiColor(ImVec2(left + wide * float(i) / kPieces, top),
                                      ImVec2(left + wide * float(i + 1) / kPieces, top + high), begin, end, end, begin);
     }
-    const float below = top + high + 3.0f * unit, gap = 8.0f * unit;
     const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
     const float outer = std::max(width(bar.low), width(bar.high));
     drawShadedText(ImVec2(left, below), bar.low, scale);
@@ -234,10 +242,11 @@ void drawCompass(Ui& ui, const Extent& window) {
 void drawInstruments(Ui& ui, const Extent& window) {
     if (!ui.subject.original || !ui.has_picture) return;
     const Strip strip = stripOf(ui, window);
+    const float foot = strip.bottom - ImGui::GetFontSize();
     if (const auto bar = barOf(ui))
         drawColourBar(*bar, strip, window.scale);
     else if (const std::string text = legend(ui); !text.empty())
-        drawLegend(text, strip, strip.bottom - ImGui::GetFontSize(), window.scale);
+        drawLegend(text, strip, foot, 0.0f, foot, window.scale);
     drawScaleBar(ui, window);
     drawCompass(ui, window);
 }

@@ -107,7 +107,7 @@ const std::vector<KeyLine>& keyLines() {
         {"Change", "Ctrl + Shift + Z, Ctrl + Y", "does it again", {Command::Redo}},
         {"Change",
          "V, Shift + V",
-         "the next, the last value in place of the picture: contours, slope, graticule, distance ...",
+         "the next, the previous value in place of the picture: contours, slope, graticule, distance ...",
          {Command::NextValue, Command::PreviousValue}},
         {"Change", "M", "the next marcher: exact, naive ...", {Command::NextMarcher}},
         {"Change",

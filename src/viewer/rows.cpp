@@ -88,7 +88,7 @@ void addRelief(std::vector<Row>& rows) {
         {"Relief", "Exaggeration",
          "How many times as high as the file says the relief is. A saved scene holds the heights as they are "
          "shown: it begins at 1 again.",
-         NumberRow{0.0, 10.0, "%.2f x file", [](const Subject& s) { return s.edits().exaggeration; },
+         NumberRow{0.0, 10.0, "%.4g x file", [](const Subject& s) { return s.edits().exaggeration; },
                    [](Subject& s, double x) { s.edits().exaggeration = x; }},
          hasRelief});
     rows.push_back(
@@ -128,7 +128,7 @@ void addLight(std::vector<Row>& rows) {
         {"Light", "Sun brightness",
          "How many times as bright as the file says the sun is. A saved scene holds the light as it is shown: it "
          "begins at 1 again.",
-         NumberRow{0.0, 10.0, "%.2f x file", [](const Subject& s) { return s.state.edits.sun_brightness; },
+         NumberRow{0.0, 10.0, "%.4g x file", [](const Subject& s) { return s.state.edits.sun_brightness; },
                    [](Subject& s, double x) { s.state.edits.sun_brightness = std::max(x, 0.0); }},
          hasSun});
     rows.push_back(

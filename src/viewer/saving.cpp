@@ -93,7 +93,7 @@ void App::saveScene() {
     scene.film.width = pictureSize()[0];
     scene.film.height = pictureSize()[1];
     scene.film.filename = path.stem().string() + ".png";
-    scene.sampler.pixel_samples = options_.samples.value_or(targetSamples());
+    scene.sampler.pixel_samples = pictureSamples();
     // What scene files have no word for.
     std::string options;
     if (chosen_.tone.exposure != 0.0f) options += fmt::format(" --exposure {}", chosen_.tone.exposure);
@@ -110,7 +110,8 @@ void App::saveScene() {
     file.commit();
     saved_edits_ = shown_edits_;
     options_.wrote(std::filesystem::current_path() / path);
-    say(fmt::format("Wrote {} into {}\n{}", path.string(), std::filesystem::current_path().string(), command));
+    say(fmt::format("Wrote {} into {}\nTo render it: {}", path.string(), std::filesystem::current_path().string(),
+                    command));
 }
 
 void App::copyCamera() {

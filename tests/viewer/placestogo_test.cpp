@@ -100,10 +100,14 @@ TEST_F(WindowTest, StartsWithoutAFile) {
         EXPECT_EQ(viewing.finish(), 0) << viewing.errors();
         EXPECT_EQ(viewing.errors(), "");
     }
-    Viewing viewing(*desktop_, folder_.path(), {"--spp", "1"});
+    Viewing viewing(*desktop_, folder_.path(), {});
     viewing.waitFor("the start window", is("starting", true));
     click(viewing, "Recent/fractal.pgm");
     viewing.waitFor("the map that was opened lately", is("file", "fractal.pgm"));
+    hand("mousemove 100 100 key v key ctrl+s");
+    viewing.waitFor("a scene saved while its height contours are shown", says("fractal-1.pbrt"));
+    EXPECT_NE(readBytes(path("fractal-1.pbrt")).find("\"integer pixelsamples\" 16 "), std::string::npos)
+        << "as many as its picture has";
     hand("key ctrl+q");
     EXPECT_EQ(viewing.finish(), 0) << viewing.errors();
 }
