@@ -185,6 +185,11 @@ ImGuiWindowFlags placePanel(const Ui& ui, const Extent& window) {
     }
     const float wide = std::min(float(panelWidth(window.scale)), width - 2.0f * pad);
     ImGui::SetNextWindowPos(ImVec2(width - pad, pad), ImGuiCond_Appearing, ImVec2(1.0f, 0.0f));
+    // In a smaller window it stays in sight.
+    const auto& [x0, y0, x1, y1] = ui.panel_box;
+    if (x1 > 0.0f && (window.width < ui.panel_window[0] || window.height < ui.panel_window[1]))
+        ImGui::SetNextWindowPos(ImVec2(std::clamp(x0, pad, std::max(pad, width - pad - wide)),
+                                       std::clamp(y0, pad, std::max(pad, bottom - pad - (y1 - y0)))));
     ImGui::SetNextWindowSizeConstraints(ImVec2(wide, 0.0f), ImVec2(wide, bottom - 2.0f * pad));
     return ImGuiWindowFlags_AlwaysAutoResize;
 }
@@ -227,6 +232,7 @@ void drawPanel(Ui& ui, const Extent& window) {
     ui.places.emplace_back("Title", std::array{corner.x, corner.y, corner.x + ImGui::GetWindowWidth(), bottom});
     ui.places.emplace_back("Fold", std::array{corner.x, corner.y, corner.x + 1.3f * title_height, bottom});
     ui.panel_box = {corner.x, corner.y, corner.x + ImGui::GetWindowWidth(), corner.y + ImGui::GetWindowHeight()};
+    ui.panel_window = {window.width, window.height};
     if (!ui.docked) dockAtEdge(ui, window);
     ImGui::End();
 }

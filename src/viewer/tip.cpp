@@ -16,7 +16,7 @@ struct TipPlace {
     float wrap;
 };
 
-// Beside the window of the control, so that no row is under it; a window as wide as the screen has room above it only.
+// Beside the window of the control, so that no row is under it, or else below or above it.
 TipPlace placeTip(const char* tip) {
     const float font = ImGui::GetFontSize(), gap = kGap * font;
     const ImVec2 screen = ImGui::GetIO().DisplaySize, pad = ImGui::GetStyle().WindowPadding;
@@ -27,13 +27,13 @@ TipPlace placeTip(const char* tip) {
     const float wrap = fits ? beside : std::min(kMostWide * font, screen.x - 2.0f * (gap + pad.x));
     const ImVec2 text = ImGui::CalcTextSize(tip, nullptr, false, wrap);
     const float wide = text.x + 2.0f * pad.x, high = text.y + 2.0f * pad.y;
-    const ImVec2 low = ImGui::GetItemRectMin();
     const auto within = [gap](float at, float size, float most) {
         return std::max(std::min(at, most - size - gap), gap);
     };
-    if (fits) return {{left >= wide ? begin - gap - wide : end + gap, within(low.y, high, screen.y)}, wrap};
-    const float above = low.y - gap - high;
-    return {{within(low.x, wide, screen.x), above > 0.0f ? above : ImGui::GetItemRectMax().y + gap}, wrap};
+    const ImVec2 item = ImGui::GetItemRectMin();
+    if (fits) return {{left >= wide ? begin - gap - wide : end + gap, within(item.y, high, screen.y)}, wrap};
+    const float top = ImGui::GetWindowPos().y, below = top + ImGui::GetWindowHeight() + gap;
+    return {{within(item.x, wide, screen.x), below + high <= screen.y ? below : std::max(top - gap - high, gap)}, wrap};
 }
 
 }  // namespace

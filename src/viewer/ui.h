@@ -116,7 +116,8 @@ struct Ui {
     Command command = Command::None;
     Figures figures;
     Places places;
-    std::array<float, 4> panel_box = {};  ///< of the last frame, pixels: x0, y0, x1, y1
+    std::array<float, 4> panel_box = {};   ///< of the last frame, pixels: x0, y0, x1, y1
+    std::array<int, 2> panel_window = {};  ///< the window's size then
     std::string resetting;                ///< the row whose slider is being reset, until the mouse is let go
 };
 

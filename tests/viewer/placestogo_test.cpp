@@ -152,6 +152,10 @@ TEST_F(WindowTest, ThePanelIsDockedMovedAndFolded) {
     expectScreenshot(viewing, "fractal-2.png", "fractal-1.pbrt");
     click(viewing, "Dock");
     viewing.waitFor("the whole width", is("picture", json({900, 640})));
+    hand("search --name dsphere windowsize --sync 640 400");
+    viewing.waitFor("the panel within a smaller window", [](const json& frame) {
+        return frame.at("window") == json({640, 400}) && at(frame.at("places"), "Title", 2) <= 640.0;
+    });
     hand("key ctrl+q");
     EXPECT_EQ(viewing.finish(), 0) << viewing.errors();
     EXPECT_EQ(viewing.errors(), "");
