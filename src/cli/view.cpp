@@ -5,6 +5,7 @@
 #include "cli/sceneoptions.h"
 #include "cli/signals.h"
 #include "scene/motion.h"
+#include "scene/textfile.h"
 #include "viewer/viewer.h"
 
 #include <cmath>
@@ -20,7 +21,7 @@ struct ViewOptions {
 
 int runView(const ViewOptions& options) {
     requireVulkan(options.viewer.device);
-    if (options.scene.scene == "-")
+    if (options.scene.scene == "-" || isOpenDescriptor(options.scene.scene))
         throwUsage("view shows files, which it reads again when they change: it takes no scene from standard input");
     if (options.scene.samples && (*options.scene.samples < 1 || *options.scene.samples > 65536))
         throw Error(ExitCode::Usage, fmt::format("--spp: {} is outside 1 to 65536", *options.scene.samples));

@@ -157,15 +157,12 @@ void drawLeaving(Ui& ui, const Extent& window) {
     ImGui::TextWrapped(
         "%s", fmt::format("Changes to {} that no scene file has yet: {}.", ui.figures.file, leaving.changes).c_str());
     ImGui::TextWrapped("%s", fmt::format("Saving writes {}.", leaving.save_as).c_str());
-    const auto choice = [&](const char* id, const std::string& name, Command command, const char* tip) {
-        const float wide = ImGui::CalcTextSize(name.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x;
-        const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-        if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + wide < right) ImGui::SameLine();
-        if (ImGui::Button(name.c_str())) ui.command = command;
+    const auto choice = [&](const char* id, const char* name, Command command, const char* tip) {
+        if (buttonInRow(name)) ui.command = command;
         notePlace(ui, id);
         showTip(ui, tip);
     };
-    ImGui::Dummy(ImVec2(ImGui::GetContentRegionAvail().x, 0.0f));
+    beginButtonRow();
     choice("Leaving/Save", closes ? "Save and close" : "Save and open", Command::SaveAndLeave,
            "Writes the new scene file first (Enter).");
     choice("Leaving/Discard", closes ? "Close without saving" : "Open without saving", Command::LeaveUnsaved,

@@ -123,18 +123,14 @@ void drawSections(Ui& ui) {
 }
 
 void commandButton(Ui& ui, const char* name, const char* tip, Command command) {
-    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-    const float wide = ImGui::CalcTextSize(name).x + 2.0f * ImGui::GetStyle().FramePadding.x;
-    if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + wide < right) ImGui::SameLine();
-    if (ImGui::Button(name)) ui.command = command;
+    if (buttonInRow(name)) ui.command = command;
     notePlace(ui, name);
     showTip(ui, tip);
 }
 
 void drawButtons(Ui& ui) {
-    const auto beginRow = [] { ImGui::Dummy(ImVec2(ImGui::GetContentRegionAvail().x, 0.0f)); };
     ImGui::Separator();
-    beginRow();
+    beginButtonRow();
     commandButton(ui, "Open", "Another scene or heightmap, whose path is typed (Ctrl + O).", Command::OpenFile);
     commandButton(ui, "Go to", "A latitude, longitude and height that are typed (G).", Command::GoTo);
     commandButton(ui, "First view", "Back to where the view began (R).", Command::ResetView);
@@ -143,7 +139,7 @@ void drawButtons(Ui& ui) {
     commandButton(ui, "Save scene", "Writes a scene file with this camera and these settings (Ctrl + S).",
                   Command::SaveScene);
     commandButton(ui, "Copy camera", "Puts the camera on the clipboard as pbrt text (Ctrl + C).", Command::CopyCamera);
-    beginRow();
+    beginButtonRow();
     commandButton(ui, "Undo", "Takes the last change back (Ctrl + Z).", Command::Undo);
     commandButton(ui, "Redo", "Does it again (Ctrl + Shift + Z).", Command::Redo);
     commandButton(ui, "Reset all", "All settings as the file was opened; the view stays.", Command::ResetAll);
@@ -151,10 +147,7 @@ void drawButtons(Ui& ui) {
 
 void drawDockButton(Ui& ui) {
     const char* name = ui.docked ? "Undock" : "Dock";
-    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-    const float wide = ImGui::CalcTextSize(name).x + 2.0f * ImGui::GetStyle().FramePadding.x;
-    if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + wide < right) ImGui::SameLine();
-    if (ImGui::Button(name)) ui.docked = !ui.docked;
+    if (buttonInRow(name)) ui.docked = !ui.docked;
     notePlace(ui, "Dock");
     showTip(ui, ui.docked
                     ? "Lets the panel float over the picture."
@@ -204,6 +197,17 @@ void dockAtEdge(Ui& ui, const Extent& window) {
 }
 
 }  // namespace
+
+void beginButtonRow() {
+    ImGui::Dummy(ImVec2(ImGui::GetContentRegionAvail().x, 0.0f));
+}
+
+bool buttonInRow(const char* name) {
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const float wide = ImGui::CalcTextSize(name).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+    if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + wide < right) ImGui::SameLine();
+    return ImGui::Button(name);
+}
 
 float freeRight(const Ui& ui, const Extent& window, float top) {
     const auto& [x0, y0, x1, y1] = ui.panel_box;

@@ -118,7 +118,7 @@ struct Ui {
     Places places;
     std::array<float, 4> panel_box = {};   ///< of the last frame, pixels: x0, y0, x1, y1
     std::array<int, 2> panel_window = {};  ///< the window's size then
-    std::string resetting;                ///< the row whose slider is being reset, until the mouse is let go
+    std::string resetting;                 ///< the row whose slider is being reset, until the mouse is let go
 };
 
 /// The window in pixels, and the display's scale.
@@ -142,6 +142,10 @@ void drawKeys(Ui& ui, const Extent& window);
 void drawProgress(const Ui& ui, const Extent& window);
 void drawMessage(Ui& ui, const Extent& window);
 void drawLeaving(Ui& ui, const Extent& window);
+
+/// A button beside the one before it, in the next line if there is no room.
+void beginButtonRow();
+bool buttonInRow(const char* name);
 
 /// Remembers where the control that was just laid out is.
 void notePlace(Ui& ui, const std::string& label);

@@ -122,6 +122,14 @@ TEST_F(PathKeysTest, GoOnInAFileThatIsThereAndLeaveOthersAlone) {
             viewing.waitFor("the keys that were there", says("It goes on from 1 key that the file had"));
         EXPECT_EQ(lines("fractal-path-2.csv"), 2 + start);
         if (start == 1) {
+            const std::string keys = text("fractal-path-2.csv");
+            folder_.write("fractal-path-2.csv", keys.substr(0, keys.size() - 1) + "0\n");
+            hand("key ctrl+z");
+            viewing.waitFor("a last key that is another", [](const json& frame) { return frame.at("error"); });
+            hand("key Escape key ctrl+z");
+            viewing.waitFor("undo that goes on past it",
+                            [](const json& frame) { return std::abs(frame.at("eye")[1].get<double>() - 90.0) > 10.0; });
+            folder_.write("fractal-path-2.csv", keys);
             hand("key shift+k");
             viewing.waitFor("the film of both", plays);
         }

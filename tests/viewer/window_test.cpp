@@ -269,6 +269,14 @@ TEST_F(WindowTest, PicturesByWayOfTheHost) {
     EXPECT_EQ(viewing.errors(), "");
 }
 
+TEST_F(WindowTest, FilesAlone) {
+    for (const char* name : {"-", "/dev/stdin"}) {
+        Process process({DSPHERE_PROGRAM, "view", name}, {}, folder_.path(), {}, path("errors"));
+        EXPECT_EQ(process.finish(20.0), 2) << name;
+        EXPECT_NE(readBytes(path("errors")).find("standard input"), std::string::npos) << name;
+    }
+}
+
 TEST_F(WindowTest, NoDisplay) {
     Process process({DSPHERE_PROGRAM, "view", "fractal.pgm"}, {"DISPLAY=", "WAYLAND_DISPLAY="}, folder_.path(), {},
                     path("errors"));
