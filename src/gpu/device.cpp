@@ -24,6 +24,39 @@ std::vector<DeviceInfo> listDevices() {
 
 namespace {
 
+// Mesa's CPU driver does not look whether memory for a shader was to be had, and ends the process. One shader of this
+// program takes it up to 0.9 GiB of address space in all (Mesa 22.3).
+constexpr rlim_t kCpuDriverBytes = rlim_t(1) << 30;
+
+/// Whether the process may use less address space than that, in MiB.
+std::optional<rlim_t> shortAddressSpace() {
+    rlimit limit = {};
+    if (getrlimit(RLIMIT_AS, &limit) != 0) return {};
+    if (limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= kCpuDriverBytes) return {};
+    return limit.rlim_cur >> 20;
+}
+
+void checkAddressSpace(const DeviceInfo& device) {
+    const std::optional<rlim_t> mebibytes = shortAddressSpace();
+    if (device.type != "CPU" || !mebibytes) return;
+    throwFailure("{}: out of memory: the process may use {} MiB of address space (ulimit -v), and this driver needs {}",
+                 device.name, *mebibytes, kCpuDriverBytes >> 20);
+}
+
+/// Returns what `find` does. Drivers that cannot be loaded for want of memory look as if there were none.
+template <typename Find>
+auto namingAddressSpace(Find find) {
+    try {
+        return find();
+    } catch (const Error& error) {
+        const std::optional<rlim_t> mebibytes = shortAddressSpace();
+        if (error.code() != ExitCode::NoDevice || !mebibytes) throw;
+        throw Error(error.code(),
+                    fmt::format("{}; the process may use {} MiB of address space (ulimit -v), and a driver needs more",
+                                error.what(), *mebibytes));
+    }
+}
+
 // Drivers read the environment when they are loaded.
 std::unique_ptr<Instance> makeInstance(const DeviceOptions& options) {
     if (!options.caches) {
@@ -31,26 +64,16 @@ std::unique_ptr<Instance> makeInstance(const DeviceOptions& options) {
         setenv("__GL_SHADER_DISK_CACHE", "0", 0);
     }
     const std::vector<const char*> none;
-    return std::make_unique<Instance>(options.validation,
-                                      options.presentation ? options.presentation->instance_extensions : none);
-}
-
-constexpr rlim_t kCpuDriverBytes = rlim_t(1) << 30;
-
-// Mesa's CPU driver does not look whether memory for a shader was to be had, and ends the process. One shader of this
-// program takes it up to 0.9 GiB of address space in all (Mesa 22.3).
-void checkAddressSpace(const DeviceInfo& device) {
-    rlimit limit = {};
-    if (device.type != "CPU" || getrlimit(RLIMIT_AS, &limit) != 0) return;
-    if (limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= kCpuDriverBytes) return;
-    throwFailure("{}: out of memory: the process may use {} MiB of address space (ulimit -v), and this driver needs {}",
-                 device.name, limit.rlim_cur >> 20, kCpuDriverBytes >> 20);
+    return namingAddressSpace([&] {
+        return std::make_unique<Instance>(options.validation,
+                                          options.presentation ? options.presentation->instance_extensions : none);
+    });
 }
 
 }  // namespace
 
 Device::Device(const DeviceOptions& options) : instance_(makeInstance(options)) {
-    std::vector<Candidate> candidates = describeDevices(*instance_);
+    std::vector<Candidate> candidates = namingAddressSpace([&] { return describeDevices(*instance_); });
     if (const Presentation* presentation = options.presentation) {
         surface_.instance = instance_->handle();
         surface_.surface = presentation->make_surface(instance_->handle());

@@ -32,6 +32,7 @@ TEST_F(ResourcesTest, LittleMemoryIsAnError) {
         Outcome outcome = run(launch);
         EXPECT_TRUE(outcome.code == 1 || outcome.code == 4) << mebibytes << " MiB: " << outcome.code << outcome.err;
         EXPECT_EQ(outcome.err.rfind("dsphere: error: ", 0), 0u) << mebibytes << " MiB: " << outcome.err;
+        EXPECT_NE(outcome.err.find(outcome.code == 4 ? "address space" : "memory"), std::string::npos) << outcome.err;
     }
     EXPECT_FALSE(exists("a.exr"));
 }
