@@ -100,8 +100,8 @@ Metadata metadataOf(const Imf::Header& header) {
 }
 
 Metadata readExrMetadata(const std::filesystem::path& path) {
+    InputFile input(path);
     try {
-        InputFile input(path);
         checkExrHeaders(input);
         return metadataOf(Imf::MultiPartInputFile(path.c_str(), 0).header(0));
     } catch (const std::exception& error) {
@@ -110,6 +110,7 @@ Metadata readExrMetadata(const std::filesystem::path& path) {
 }
 
 Image readExr(const std::filesystem::path& path) {
+    const InputFile readable(path);  // its error names the file
     try {
         return readExrPixels(
             path, true, [](const Imf::MultiPartInputFile& file) { return channelNames(file.header(0).channels()); });

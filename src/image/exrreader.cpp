@@ -18,8 +18,8 @@ struct ExrReader::State {
 };
 
 ExrReader::ExrReader(const std::filesystem::path& path) : path_(path) {
+    InputFile input(path);
     try {
-        InputFile input(path);
         checkExrHeaders(input);
         state_ = std::make_unique<State>(path);
         const Imf::Header& header = state_->file.header(0);

@@ -196,7 +196,7 @@ TEST_F(MergeTest, RefusesOtherFilesAndNames) {
     render({"-o", "whole.exr"});
     render({"-o", "t.exr", "--tile", "1/1"});
     folder_.write("text.exr", "no picture");
-    expectRefused({"none.exr"}, "none.exr: cannot be read as EXR");
+    expectRefused({"none.exr"}, "error: none.exr: cannot be read: No such file");
     expectRefused({"text.exr"}, "text.exr: cannot be read as EXR");
     expectRefused({"whole.exr"}, "whole.exr: is no part of a picture: its header lacks partOfPicture");
     expectFailure(merge({"t.exr"}, "t.exr"), 2, "t.exr");
