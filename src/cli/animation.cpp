@@ -6,7 +6,6 @@
 #include "cli/print.h"
 #include "cli/rendered.h"
 #include "cli/sceneondevice.h"
-#include "cli/signals.h"
 #include "reference/ground.h"
 
 #include <memory>
@@ -50,7 +49,6 @@ Target checkFrames(const RenderOptions& options, const Scene& scene, const Frame
 }  // namespace
 
 int renderAnimation(const RenderOptions& options, Scene& scene, const MarchMethod& method) {
-    const Completing completing;  // frames that are rendered are written
     const FramePlan plan(options.frames, options.outfile.empty() ? scene.film.filename : options.outfile);
     const std::vector<int> missing = plan.missing();
     const Shard whole = wholePicture(scene);

@@ -34,33 +34,6 @@ TEST_F(SignalTest, TerminationIs143) {
     expectStopped(SIGTERM, 143);
 }
 
-TEST_F(SignalTest, EveryCommandEndsSoonAtAnyMoment) {
-    ASSERT_EQ(run({"generate", "fractal", "-o", "big.png", "--size", "4096,2048"}).code, 0);
-    ASSERT_EQ(run({"render", "planet.pbrt", "-o", "a.exr", "--spp", "1", "--resolution", "1600,1200"}).code, 0);
-    const std::size_t entries = folder_.entries();
-    const std::vector<std::vector<std::string>> commands = {
-        {"render", "big.png", "-o", "b.exr", "--spp", "60000"},
-        {"render", "big.png", "-o", "b.exr", "--spp", "60000", "--marcher", "naive"},
-        {"verify", "big.png"},
-        {"bench"},
-        {"info", "big.png"},
-        {"diff", "a.exr", "a.exr"},
-        {"generate", "moon", "-o", "b.png", "--size", "8192,4096"}};
-    for (const auto& words : commands)
-        for (int after_ms : {400, 1000}) {
-            Launch launch{.arguments = words};
-            launch.environment = {"MESA_SHADER_CACHE_DISABLE=true"};  // a signal may come while shaders are compiled
-            launch.signal = SIGTERM;
-            launch.signal_after_ms = after_ms;
-            Outcome outcome = run(launch);
-            const std::string what = testing::PrintToString(words) + " after " + std::to_string(after_ms) + " ms";
-            if (outcome.code == 0) continue;  // it was done before
-            EXPECT_EQ(outcome.code, 143) << what << ": " << outcome.err;
-            EXPECT_TRUE(holds(outcome.err, "dsphere: error: interrupted")) << what;
-            EXPECT_EQ(folder_.entries(), entries) << what;
-        }
-}
-
 // Nobody polls while a file of a pipe that nobody writes to is opened.
 TEST_F(SignalTest, EndsWhatWaitsForever) {
     ASSERT_EQ(mkfifo(path("pipe.pbrt").c_str(), 0600), 0);
