@@ -44,24 +44,29 @@ void AbsentList::settle(const std::function<void(std::uint32_t count)>& redo) {
     if (!active()) return;
     std::vector<Pixels> waiting;
     Pixels pixels = take();
+    bool alone = pixels.size() == 1;  // no tile stays for a pixel that is done
     pool_.unpin();
     while (!pixels.empty() || !waiting.empty()) {
         if (pixels.empty()) {
             pixels = std::move(waiting.back());
             waiting.pop_back();
+            alone = pixels.size() == 1;
             pool_.unpin();
         }
         std::vector<std::uint32_t> tiles;
         for (const layout::AbsentPixel& pixel : pixels) tiles.push_back(pixel.tile);
         if (!pool_.load(std::move(tiles))) {
-            if (pixels.size() == 1)
+            if (alone)
                 throw Error(ExitCode::Failure,
                             fmt::format("one ray needs more than the {} tiles of heights that the device has room "
                                         "for; --mem-limit sets the room",
                                         pool_.slots()));
-            const auto half = pixels.begin() + std::ptrdiff_t(pixels.size() / 2);
-            waiting.emplace_back(half, pixels.end());
-            pixels.erase(half, pixels.end());
+            if (pixels.size() > 1) {
+                const auto half = pixels.begin() + std::ptrdiff_t(pixels.size() / 2);
+                waiting.emplace_back(half, pixels.end());
+                pixels.erase(half, pixels.end());
+            }
+            alone = pixels.size() == 1;
             pool_.unpin();
             continue;
         }
