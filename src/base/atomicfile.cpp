@@ -114,6 +114,7 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::write(const void* data, std::size_t count) noexcept {
+    if (count == 0) return;  // `data` may be null then, which fwrite must not be given
     if (error_ == 0 && std::fwrite(data, 1, count, file_.get()) != count) error_ = systemError();
     position_ += count;
 }

@@ -42,7 +42,7 @@ Placement placementOf(const OpenMap& map, const Reference& reference, MapFacts& 
     facts.projection = reference.projection;
     if (!reference.projection.empty()) facts.sources["projection"] = map.source();
     if (!reference.grid) return unplaced(map);
-    const Placement placed = placeOnSphere(map.name(), *reference.grid);
+    Placement placed = placeOnSphere(map.name(), *reference.grid);
     facts.extent = placed.extent;
     for (const char* property : {"extent", "longitude_origin", "registration"}) facts.sources[property] = map.source();
     return placed;

@@ -175,7 +175,7 @@ OGRSpatialReferenceH newSphere(std::optional<double> radius) {
 std::string wktOf(OGRSpatialReferenceH crs) {
     char* text = nullptr;
     gdal().OSRExportToWkt(crs, &text);
-    const std::string wkt = text ? text : "";
+    std::string wkt = text ? text : "";
     gdal().VSIFree(text);
     return wkt;
 }

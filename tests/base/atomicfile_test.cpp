@@ -37,6 +37,15 @@ TEST_F(AtomicFileTest, AppearsWholeAtCommit) {
     EXPECT_EQ(folder_.entries(), 1u);
 }
 
+// Lists without elements have no address; what fwrite says of null is undefined.
+TEST_F(AtomicFileTest, NothingMayBeWritten) {
+    AtomicFile file(path("empty"));
+    file.write(nullptr, 0);
+    EXPECT_EQ(file.tell(), 0u);
+    file.commit();
+    EXPECT_EQ(readBytes(path("empty")), "");
+}
+
 TEST_F(AtomicFileTest, WithoutCommitNothingChanges) {
     folder_.write("old", "old");
     { AtomicFile(path("old")).write("new", 3); }
