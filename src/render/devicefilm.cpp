@@ -11,20 +11,24 @@ namespace dsphere {
 
 namespace {
 
-void requireSize(const gpu::Device& device, int width, int height) {
+void requireSize(const gpu::Device& device, int width, int height, int planes) {
+    constexpr const char* kInParts = "render it in parts: --tile I/N and dsphere merge, or --cropwindow";
     const std::uint32_t limit = device.limits().max_image_dimension_2d;
     if (std::uint32_t(std::max(width, height)) > limit)
-        throwFailure(
-            "the picture is {}x{} pixels, but images of {} end at {}x{}; render it in parts: --tile I/N and "
-            "dsphere merge, or --cropwindow",
-            width, height, device.info().name, limit, limit);
+        throwFailure("the picture is {}x{} pixels, but images of {} end at {}x{}; {}", width, height,
+                     device.info().name, limit, limit, kInParts);
+    const std::uint64_t bytes = std::uint64_t(width) * std::uint64_t(height) * std::uint64_t(planes) * 4;
+    const std::uint64_t most = device.limits().max_allocation_size;
+    if (bytes > most)
+        throwFailure("the picture of {}x{} pixels takes {} MiB, but images of {} end at {} MiB; {}", width, height,
+                     bytes >> 20, device.info().name, most >> 20, kInParts);
 }
 
 }  // namespace
 
 DeviceFilm::DeviceFilm(gpu::Device& device, int width, int height, std::uint32_t mask)
-    : image_((requireSize(device, width, height), device), gpu::Format::R32Uint, std::uint32_t(width),
-             std::uint32_t(height), std::uint32_t(std::popcount(mask)), "film"),
+    : image_((requireSize(device, width, height, std::popcount(mask)), device), gpu::Format::R32Uint,
+             std::uint32_t(width), std::uint32_t(height), std::uint32_t(std::popcount(mask)), "film"),
       mask_(mask) {
     image_.clear();
 }

@@ -171,5 +171,12 @@ TEST_F(RenderTest, ValidationIsClean) {
     EXPECT_EQ(outcome.err.find("VUID"), std::string::npos) << outcome.err;
 }
 
+// Lavapipe's images end at 2 GiB: the picture would take four layers of a GB.
+TEST_F(RenderTest, APictureThatTheDeviceCannotHoldIsRenderedInParts) {
+    expectFailure(run({"render", "planet.pbrt", "-o", "a.exr", "--device", "cpu", "--resolution", "16000,16000"}), 1,
+                  "render it in parts: --tile I/N and dsphere merge, or --cropwindow");
+    EXPECT_FALSE(exists("a.exr"));
+}
+
 }  // namespace
 }  // namespace dsphere::test
