@@ -96,8 +96,11 @@ Directory readDirectory(InputFile& file) {
     Format format;
     format.little = magic[0] == 'I';
     format.big = format.load(&magic[2], 2) == 43;
-    if (format.big && (readNumber(file, format, 2) != 8 || readNumber(file, format, 2) != 0))
-        file.invalid("TIFF: the header of a BigTIFF is damaged, expected offsets of 8 bytes");
+    if (format.big) {
+        const std::uint64_t offset_bytes = readNumber(file, format, 2), zero = readNumber(file, format, 2);
+        if (offset_bytes != 8 || zero != 0)
+            file.invalid("TIFF: the header of a BigTIFF is damaged, expected offsets of 8 bytes");
+    }
     const std::uint64_t first = readNumber(file, format, format.wordBytes());
     if (first >= file.size())
         file.invalid("TIFF: truncated or damaged: the first directory is at byte {}, the file has {} bytes", first,

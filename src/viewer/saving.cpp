@@ -56,7 +56,7 @@ std::string App::freeName() const {
     std::string stem = std::filesystem::path(stage_->document().path).stem().string();
     if (stem.empty() || stem == "-") stem = "scene";
     for (int n = 1;; ++n) {
-        const std::string name = fmt::format("{}-{}", stem, n);
+        std::string name = fmt::format("{}-{}", stem, n);
         const auto is_free = [&](const char* extension) {
             std::error_code error;
             return !std::filesystem::exists(std::filesystem::symlink_status(name + extension, error));
