@@ -12,8 +12,13 @@ namespace dsphere::test {
 namespace {
 
 const std::filesystem::path kHostile = DSPHERE_SOURCE_DIR "/tests/hostile";
-constexpr long kMostKib = 200 << 10;  // a Vulkan driver, which `query` opens, is half of that
-constexpr rlim_t kMostSeconds = 10;   // of the processor: for a hang, a hundred times what a case takes
+#ifdef __SANITIZE_ADDRESS__
+constexpr int kSanitizer = 4;  // so many times what the program takes without
+#else
+constexpr int kSanitizer = 1;
+#endif
+constexpr long kMostKib = kSanitizer * 200 << 10;  // a Vulkan driver, which `query` opens, is half of that
+constexpr rlim_t kMostSeconds = kSanitizer * 10;   // of the processor: for a hang, a hundred times what a case takes
 
 struct Case {
     int line = 0, code = 0;

@@ -26,6 +26,9 @@ TEST_F(ResourcesTest, ADeviceLostAtAnyWaitIsAnError) {
 
 // With less and less address space the message changes, but no signal ends the program.
 TEST_F(ResourcesTest, LittleMemoryIsAnError) {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "the sanitizer takes terabytes of addresses";
+#endif
     for (rlim_t mebibytes : {150, 250, 350, 450, 600, 800, 1000}) {
         Launch launch{.arguments = {"render", "map.pgm", "-o", "a.exr", "--spp", "1", "--quiet"}};
         launch.limits = {{RLIMIT_AS, mebibytes << 20}};
@@ -38,6 +41,9 @@ TEST_F(ResourcesTest, LittleMemoryIsAnError) {
 }
 
 TEST_F(ResourcesTest, ASmallStackIsEnoughWithoutADevice) {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "the sanitizer's guards around locals take more stack";
+#endif
     for (const std::string command : {"info", "generate"}) {
         Launch launch{.arguments = {"info", "planet.pbrt"}};
         if (command == "generate") launch.arguments = {"generate", "terraces", "-o", "made.pgm", "--size", "8,4"};
