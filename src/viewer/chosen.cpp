@@ -208,6 +208,7 @@ void App::note(bool shown) {
                            {"flying", flight_.has_value()},
                            {"playing", playing_ ? playing_->frame : -1},
                            {"asks", ui_.leaving.asked},
+                           {"waits", screenshot_.has_value()},
                            {"hover", figures.hover},
                            {"message", ui_.message.text},
                            {"error", ui_.message.kind == Message::Kind::Error},

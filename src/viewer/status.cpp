@@ -13,9 +13,10 @@ namespace dsphere::viewer {
 
 namespace {
 
+// Whatever comes up, what is being typed goes on.
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
+                                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 std::string progressText(const Figures& figures) {
     if (figures.target_samples == 0) return {};

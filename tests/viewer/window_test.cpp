@@ -93,13 +93,22 @@ TEST_F(WindowTest, ThePanelChangesAndTakesBack) {
     viewing.waitFor("a slider's value", [](const json& frame) { return frame.at("exaggeration") > 4.0; });
     click(viewing, "Exaggeration", "sleep 0.3 click --repeat 2 --delay 40 1");  // not the last click's second
     viewing.waitFor("double click: as it was opened", is("exaggeration", 3.0));
+    const double home = viewing.waitForStill().at("altitude");
+    click(viewing, "Exaggeration value", "click 1 key ctrl+a type 900");
+    hand("key Return");
+    const json out = viewing.waitFor("ground that took the eye along", says("The ground rose past the eye"));
+    EXPECT_GT(out.at("altitude").get<double>(), home);
+    click(viewing, "Exaggeration", "click --repeat 2 --delay 40 1");
+    viewing.waitFor("ground that brought it back", [&](const json& frame) {
+        return frame.at("exaggeration") == 3.0 && std::abs(frame.at("altitude").get<double>() - home) < 1e-9;
+    });
     click(viewing, "Exaggeration value", "click 1 key ctrl+a type -- -1000");
     hand("key Return");
     viewing.waitFor("what is wrong, in the panel's words", says("An exaggeration of -1000 is too much"));
     json last =
         viewing.waitFor("the last that fits", [](const json& frame) { return frame.at("exaggeration") > -1000; });
     EXPECT_FALSE(last.at("error")) << "it goes by itself: the picture is good";
-    for (int i = 0; i < 5 && viewing.last().at("exaggeration") != 1.25; ++i) hand("key ctrl+z sleep 0.4");
+    for (int i = 0; i < 8 && viewing.last().at("exaggeration") != 1.25; ++i) hand("key ctrl+z sleep 0.4");
     EXPECT_EQ(viewing.last().at("exaggeration"), 1.25) << "undo goes past what was refused";
 
     click(viewing, "Exaggeration value", "click 1 key ctrl+a type 2");
@@ -248,6 +257,26 @@ TEST_F(WindowTest, SizesAndFiles) {
     click(viewing, "Leaving/Discard");
     viewing.waitFor("the file that was dropped", is("file", "fractal.pgm"));
     hand("key ctrl+q");
+    EXPECT_EQ(viewing.finish(), 0) << viewing.errors();
+    EXPECT_EQ(viewing.errors(), "");
+}
+
+TEST_F(WindowTest, AScreenshotWaitsForItsSamples) {
+    Viewing viewing(*desktop_, folder_.path(), {"fractal.pgm", "--resolution", "320,240", "--spp", "60000"});
+    viewing.waitFor("a first sample", [](const json& frame) { return frame.at("samples") >= 1; });
+    hand("mousemove 160 100 key F12");
+    viewing.waitFor("it waits", is("waits", true));
+    hand("key Escape");
+    viewing.waitFor("no screenshot", is("waits", false));
+    hand("key F12");
+    viewing.waitFor("it waits", is("waits", true));
+    hand("key 3");
+    viewing.waitFor("no screenshot of another view", says("No screenshot was made"));
+    viewing.waitFor("a first sample", [](const json& frame) { return frame.at("samples") >= 1; });
+    hand("key 1 sleep 0.2 key r sleep 0.2");
+    viewing.waitFor("a first sample of the first view", [](const json& frame) { return frame.at("samples") >= 1; });
+    expectScreenshot(viewing, "fractal-1.png", "fractal.pgm", "--resolution 320,240", "key F12 sleep 0.1 key F12");
+    hand("key Escape");
     EXPECT_EQ(viewing.finish(), 0) << viewing.errors();
     EXPECT_EQ(viewing.errors(), "");
 }

@@ -42,8 +42,8 @@ class WindowTest : public testing::Test {
     void hand(const std::string& arguments) { EXPECT_TRUE(desktop_->hand(arguments)) << arguments; }
     /// Takes a screenshot, renders the same with as many samples, and compares byte by byte.
     void expectScreenshot(Viewing& viewing, const std::string& name, const std::string& scene,
-                          const std::string& options = "") {
-        hand("key F12");
+                          const std::string& options = "", const std::string& keys = "key F12") {
+        hand(keys);
         const std::string told = "Wrote " + name + ", ";
         json frame = viewing.waitFor("a screenshot", says(told));
         const int samples = std::atoi(frame.at("message").get<std::string>().substr(told.size()).c_str());
