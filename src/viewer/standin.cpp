@@ -13,7 +13,7 @@ namespace {
 constexpr double kHiddenRadius = 1e-4;  // of a sphere that nobody sees, in the shape's own units
 
 Texture plainTexture(const Material& material) {
-    const Texture texture = matteTextureOf(material);
+    Texture texture = matteTextureOf(material);
     if (const auto* squares = std::get_if<Checkerboard>(&texture))
         return ConstantColour{0.5 * (squares->even + squares->odd)};
     return texture;
