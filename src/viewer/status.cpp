@@ -123,6 +123,7 @@ void drawStatusBar(Ui& ui, const Extent& window) {
 }
 
 void drawMessage(Ui& ui, const Extent& window) {
+    ui.message_end = {};
     if (ui.message.text.empty()) return;
     const float unit = float(window.scale), pad = 12.0f * unit, width = float(window.width);
     const float free = freeRight(ui, window, 0.0f) - 2.0f * pad, usual = std::max(0.6f * width, 420.0f * unit);
@@ -142,6 +143,7 @@ void drawMessage(Ui& ui, const Extent& window) {
         notePlace(ui, "Dismiss");
         showTip(ui, "Takes this message away (Esc).");
     }
+    ui.message_end = {pad + ImGui::GetWindowWidth(), pad + ImGui::GetWindowHeight()};
     ImGui::End();
     ImGui::PopStyleVar();
 }

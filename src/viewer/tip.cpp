@@ -17,7 +17,7 @@ struct TipPlace {
 };
 
 // Beside the window of the control, so that no row is under it, or else below or above it.
-TipPlace placeTip(const char* tip) {
+TipPlace placeTip(const Ui& ui, const char* tip) {
     const float font = ImGui::GetFontSize(), gap = kGap * font;
     const ImVec2 screen = ImGui::GetIO().DisplaySize, pad = ImGui::GetStyle().WindowPadding;
     const float begin = ImGui::GetWindowPos().x, end = begin + ImGui::GetWindowWidth();
@@ -31,7 +31,11 @@ TipPlace placeTip(const char* tip) {
         return std::max(std::min(at, most - size - gap), gap);
     };
     const ImVec2 item = ImGui::GetItemRectMin();
-    if (fits) return {{left >= wide ? begin - gap - wide : end + gap, within(item.y, high, screen.y)}, wrap};
+    if (fits) {
+        const float x = left >= wide ? begin - gap - wide : end + gap;
+        const float least = x < ui.message_end[0] ? ui.message_end[1] + gap : 0.0f;  // nor does it cover the message
+        return {{x, within(std::max(item.y, least), high, screen.y)}, wrap};
+    }
     const float top = ImGui::GetWindowPos().y, below = top + ImGui::GetWindowHeight() + gap;
     return {{within(item.x, wide, screen.x), below + high <= screen.y ? below : std::max(top - gap - high, gap)}, wrap};
 }
@@ -40,7 +44,7 @@ TipPlace placeTip(const char* tip) {
 
 void showTip(Ui& ui, const char* tip) {
     if (!ImGui::IsItemHovered()) return;
-    const TipPlace place = placeTip(tip);
+    const TipPlace place = placeTip(ui, tip);
     ImGui::SetNextWindowPos(place.corner);
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + place.wrap);

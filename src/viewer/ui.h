@@ -116,9 +116,10 @@ struct Ui {
     Command command = Command::None;
     Figures figures;
     Places places;
-    std::array<float, 4> panel_box = {};   ///< of the last frame, pixels: x0, y0, x1, y1
-    std::array<int, 2> panel_window = {};  ///< the window's size then
-    std::string resetting;                 ///< the row whose slider is being reset, until the mouse is let go
+    std::array<float, 4> panel_box = {};    ///< of the last frame, pixels: x0, y0, x1, y1
+    std::array<int, 2> panel_window = {};   ///< the window's size then
+    std::array<float, 2> message_end = {};  ///< the lower right corner of the message in the last frame, from 0, 0 on
+    std::string resetting;                  ///< the row whose slider is being reset, until the mouse is let go
 };
 
 /// The window in pixels, and the display's scale.
