@@ -148,7 +148,7 @@ void TilePool::unpin() {
 
 bool TilePool::load(std::vector<std::uint32_t> tiles) {
     std::ranges::sort(tiles);
-    tiles.erase(std::ranges::unique(tiles).begin(), tiles.end());
+    tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
     std::erase_if(tiles, [&](std::uint32_t tile) { return entryOf(tile) != NO_TILE; });
     std::vector<std::uint32_t> chosen;  // a slot for each
     for (std::uint32_t tile : tiles) {
