@@ -98,7 +98,7 @@ std::string RecordedPath::lineOf(const Scene& scene, const Camera& camera, doubl
     for (const std::string_view columns : {kPlaces, kPoints}) {
         if (columns == kPlaces && !globe) continue;
         if (keys() > 0 && columns != headerOf(text_)) continue;
-        const std::string line =
+        std::string line =
             fmt::format("{},{}\n", frame, columns == kPlaces ? placesOf(*globe, camera) : pointsOf(camera, distance));
         const std::optional<RecordedPath> alone = parse(fmt::format("{}\n{}", columns, line), "this view");
         try {
