@@ -173,7 +173,8 @@ TEST_P(BoundsTest, CoarserLevelsAreTheMaximaOfTheirCells) {
 }
 
 TEST_P(BoundsTest, TheGreatestIsTheShell) {
-    float greatest = *std::max_element(bounds_.squared.begin(), bounds_.squared.end());
+    float greatest = 0.0f;
+    for (int face = 0; face < 6; ++face) greatest = std::max(greatest, bounds_.at(face, bounds_.levels - 1, 0, 0));
     EXPECT_LE(greatest, (1.0 + Bounds::kSlack) * (1.0 + Bounds::kSlack) + 2e-7);
     if (GetParam().filter == Filter::BSpline) return;  // it runs past the map's greatest value
     EXPECT_GE(greatest, (1.0 + Bounds::kSlack) * (1.0 + Bounds::kSlack) - 2e-7);
@@ -204,15 +205,21 @@ INSTANTIATE_TEST_SUITE_P(Maps, BoundsTest,
                                          BoundsCase{"ripples", 1, 1, Registration::Texel, -60, 20},
                                          BoundsCase{"ripples", 33, 70, Registration::Texel, 25, 0}));
 
-TEST(Bounds, LevelsDoNotOverlap) {
+TEST(Bounds, LevelsAndHorizonsDoNotOverlap) {
     auto planet = makePlanet(randomMap(3, 2), Registration::Texel, 10.0);
     NodeGrid nodes(planet->map);
     Bounds bounds = buildBounds(nodes, planet->relief);
     std::vector<int> used(bounds.squared.size());
-    for (int face = 0; face < 6; ++face)
+    for (int face = 0; face < 6; ++face) {
         for (int level = 0; level < bounds.levels; ++level)
             for (int j = 0; j < bounds.side >> level; ++j)
                 for (int i = 0; i < bounds.side >> level; ++i) ++used.at(bounds.index(face, level, i, j));
+        for (int j = 0; j < bounds.horizonSide(); ++j)
+            for (int i = 0; i < bounds.horizonSide(); ++i) {
+                ++used.at(bounds.horizonIndex(face, i, j));
+                ++used.at(bounds.horizonLeastIndex(face, i, j));
+            }
+    }
     EXPECT_EQ(*std::max_element(used.begin(), used.end()), 1);
 }
 
