@@ -20,6 +20,25 @@ class PassTest : public WorldTest {
     gpu::Device device_{{"", true}};
 };
 
+// A pixel that opens a group, and is alone in it, is done too.
+TEST_F(PassTest, TheRetryTakesEveryPixelWhateverTheirNumber) {
+    constexpr int kMost = GROUP_SIZE_X * GROUP_SIZE_Y + 1;
+    const std::uint32_t mask = planeBit(PLANE_ID);
+    World made = poleWorld(kMost, kMost);
+    FilmPipelines pipelines(device_, made.packed.traits, 1.0f, Marcher::Exact, mask);
+    const DeviceScene scene(device_, made.packed);
+    for (int count = 1; count <= kMost; ++count) {
+        DeviceFilm film(device_, kMost, kMost, mask);
+        FilmTracer tracer(device_, pipelines, scene, film.image());
+        tracer.run(std::vector{layout::RenderParams{0, 0, count, 1, 0, 0, -1, 0}});
+        ASSERT_EQ(tracer.retried(), std::uint64_t(count));
+        const Box box{0, 0, count, 1};
+        const Image image = film.read(box, box);
+        for (std::size_t i = 0; i < image.pixelCount(); ++i)
+            ASSERT_EQ(image.at("id").uints()[i], 1u) << "pixel " << i << " of " << count;
+    }
+}
+
 // The list of pixels to retry is dispatched in rows of RETRY_ROW workgroups: more than one row, and the last not full,
 // as a whole and cut into parts that take one row each.
 TEST_F(PassTest, TheRetryTakesMoreThanARowOfGroups) {
