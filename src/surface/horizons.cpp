@@ -5,7 +5,6 @@
 #include "surface/cubeneighbours.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -33,33 +32,33 @@ void visitBlocks(const BlockExtremes& blocks, const NodeGrid& nodes, const Footp
     if (end > nodes.width()) visitColumns(0, end - nodes.width());
 }
 
-/// One level of a pyramid over the cells of a cube map: radii in units of R, slopes as |grad r| / r.
-struct Level {
-    CubeGrid greatest, steepest;
+/// The greatest radius, in units of R, and slope, |grad r| / r, in each cell of a cube map, or about each.
+struct Extremes {
+    CubeGrid radius, slope;
 };
 
-/// What is known of a neighbourhood of cells: those less than `rings` cells away, along either edge.
+/// The cells at most `rings` cells of a level away, along either edge of a face.
 struct Neighbourhood {
     int level, rings;
-    CubeGrid greatest, steepest;
+    Extremes about;
 };
 
 class Builder {
   public:
     Builder(Bounds& bounds, const NodeGrid& nodes, const Relief& relief, const BlockExtremes& blocks)
         : bounds_(bounds), least_(bounds.horizonSide()) {
-        measureCells(nodes, relief, blocks);
-        while (levels_.back().greatest.side() > 4)
-            levels_.push_back({levels_.back().greatest.halved(), levels_.back().steepest.halved()});
-        for (int level = 0; level < int(levels_.size()); ++level)
-            for (int rings = level == 0 ? 1 : 2; rings <= 3; ++rings) neighbourhoods_.push_back({level, rings, {}, {}});
+        std::vector<Extremes> levels{measureCells(nodes, relief, blocks)};
+        while (levels.back().radius.side() > 4)
+            levels.push_back({levels.back().radius.halved(), levels.back().slope.halved()});
+        for (int level = 0; level < int(levels.size()); ++level)
+            for (int rings = level == 0 ? 1 : 2; rings <= 3; ++rings) neighbourhoods_.push_back({level, rings, {}});
         parallelFor(neighbourhoods_.size(), [&](std::size_t n) {
             Neighbourhood& of = neighbourhoods_[n];
-            of.greatest = levels_[std::size_t(of.level)].greatest.dilated(of.rings);
-            of.steepest = levels_[std::size_t(of.level)].steepest.dilated(of.rings);
+            const Extremes& cells = levels[std::size_t(of.level)];
+            of.about = {cells.radius.dilated(of.rings), cells.slope.dilated(of.rings)};
         });
-        greatest_ = levels_.back().greatest.greatest();
-        steepest_ = levels_.back().steepest.greatest();
+        greatest_ = levels.back().radius.greatest();
+        steepest_ = levels.back().slope.greatest();
     }
 
     void fill() {
@@ -76,9 +75,10 @@ class Builder {
     }
 
   private:
-    void measureCells(const NodeGrid& nodes, const Relief& relief, const BlockExtremes& blocks) {
+    /// Of the horizons' own cells; fills their least radii as well.
+    Extremes measureCells(const NodeGrid& nodes, const Relief& relief, const BlockExtremes& blocks) {
         const int side = least_.side();
-        levels_.push_back({CubeGrid(side), CubeGrid(side)});
+        Extremes extremes{CubeGrid(side), CubeGrid(side)};
         const CubeCells cells(side);
         const double unit = 1.0 / relief.greatest_radius;
         const auto measure = [&](int face, int i, int j, const Footprint& footprint) {
@@ -90,10 +90,11 @@ class Builder {
             });
             slope *= unit * std::abs(relief.scale) / least;
             least_.at(face, i, j) = std::nextafter(float(least), 0.0f);
-            levels_[0].steepest.at(face, i, j) = std::nextafter(float(slope), std::numeric_limits<float>::infinity());
-            levels_[0].greatest.at(face, i, j) = std::sqrt(bounds_.at(face, 2, i, j));
+            extremes.slope.at(face, i, j) = std::nextafter(float(slope), std::numeric_limits<float>::infinity());
+            extremes.radius.at(face, i, j) = std::sqrt(bounds_.at(face, 2, i, j));
         };
         parallelFor(std::size_t(side), [&](std::size_t n) { cells.visitLine(int(n), measure); });
+        return extremes;
     }
 
     double tangentOf(int face, int i, int j, double least) const {
@@ -112,15 +113,14 @@ class Builder {
             const double x = away / (1.0 + across * across + away * across);  // its tangent
             const double ground = (1.0 - least / greatest * std::sqrt(1.0 + x * x)) / x;
             beyond = std::max(beyond, ground);
-            enough = std::min(enough, std::max(beyond, double(of->steepest.at(face, ci, cj))));
-            greatest = of->greatest.at(face, ci, cj);
+            enough = std::min(enough, std::max(beyond, double(of->about.slope.at(face, ci, cj))));
+            greatest = of->about.radius.at(face, ci, cj);
         }
         return enough;
     }
 
     Bounds& bounds_;
-    CubeGrid least_;  ///< radius, units of R
-    std::vector<Level> levels_;
+    CubeGrid least_;                             ///< radius, units of R
     std::vector<Neighbourhood> neighbourhoods_;  ///< from the smallest
     double greatest_ = 0.0, steepest_ = 0.0;     ///< of all
 };

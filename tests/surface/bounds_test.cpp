@@ -38,16 +38,6 @@ void PrintTo(const BoundsCase& c, std::ostream* out) {
          << c.longitude_origin << (c.filter == Filter::BSpline ? " B-spline" : "");
 }
 
-/// The direction of face coordinates (a, b), by the convention of the header, written anew.
-dvec3 faceDirection(int face, double a, double b) {
-    int axis = face / 2;
-    dvec3 w(0.0);
-    w[axis] = face % 2 == 1 ? -1.0 : 1.0;
-    w[(axis + 1) % 3] = a;
-    w[(axis + 2) % 3] = b;
-    return w;
-}
-
 class BoundsTest : public testing::TestWithParam<BoundsCase> {
   protected:
     std::unique_ptr<Planet> planet_ = GetParam().planet();

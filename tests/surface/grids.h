@@ -51,4 +51,14 @@ inline std::unique_ptr<Planet> makeRipples(const Ripples& ripples, double max_di
     return planet;
 }
 
+/// The direction, of any length, of face coordinates (a, b), by the convention of Bounds, written anew.
+inline dvec3 faceDirection(int face, double a, double b) {
+    int axis = face / 2;
+    dvec3 w(0.0);
+    w[axis] = face % 2 == 1 ? -1.0 : 1.0;
+    w[(axis + 1) % 3] = a;
+    w[(axis + 2) % 3] = b;
+    return w;
+}
+
 }  // namespace dsphere::test

@@ -17,15 +17,6 @@
 namespace dsphere::test {
 namespace {
 
-/// The direction of face coordinates (a, b), by the convention of Bounds, written anew.
-dvec3 onFace(int face, double a, double b) {
-    dvec3 w(0.0);
-    w[face / 2] = face % 2 == 1 ? -1.0 : 1.0;
-    w[(face / 2 + 1) % 3] = a;
-    w[(face / 2 + 2) % 3] = b;
-    return glm::normalize(w);
-}
-
 struct HorizonCase {
     const char* map;
     int width, height;
@@ -66,7 +57,7 @@ TEST_P(HorizonTest, WhatRisesAboveMeetsNothing) {
         for (int j = face % step; j < side; j += step)
             for (int i = j / step % step; i < side; i += step) {
                 const double a = i * width - 1.0 + uniform(-d, width + d), b = j * width - 1.0 + uniform(-d, width + d);
-                const dvec3 up = onFace(face, a, b);
+                const dvec3 up = glm::normalize(faceDirection(face, a, b));
                 const double r = radius(up), start = r - uniform(0.0, 1.0) * 1.5e-6;
                 ASSERT_GE(start * start, double(bounds_.squared[bounds_.horizonLeastIndex(face, i, j)]));
                 const double tangent = std::sqrt(double(bounds_.squared[bounds_.horizonIndex(face, i, j)]));
@@ -119,7 +110,8 @@ TEST(Horizons, OfARampAreItsSlope) {
     for (int face : {0, 1, 4, 5})  // around the equator
         for (int j = 1; j + 1 < side; ++j)
             for (int i = 1; i + 1 < side; ++i) {
-                const dvec3 up = onFace(face, (i + 0.5) * 2.0 / side - 1.0, (j + 0.5) * 2.0 / side - 1.0);
+                const dvec3 up =
+                    glm::normalize(faceDirection(face, (i + 0.5) * 2.0 / side - 1.0, (j + 0.5) * 2.0 / side - 1.0));
                 const dvec3 gradient = surface.gradient(surface.radius(up) * up);
                 const double slope = glm::length(gradient - glm::dot(gradient, up) * up);
                 const double tangent = std::sqrt(double(bounds.squared[bounds.horizonIndex(face, i, j)]));
@@ -183,7 +175,7 @@ TEST(CubeGrid, DilationReachesOverTheEdgesOfFaces) {
                         std::uniform_real_distribution<double> offset(-rings, rings + 1);
                         const double a = (i + offset(random)) * 2.0 / kSide - 1.0;
                         const double b = (j + offset(random)) * 2.0 / kSide - 1.0;
-                        found = std::max(found, valueAt(onFace(face, a, b)));
+                        found = std::max(found, valueAt(faceDirection(face, a, b)));
                     }
                     ASSERT_GE(dilated.at(face, i, j), found) << rings << ": " << face << ' ' << i << ' ' << j;
                     excess += dilated.at(face, i, j) - found;
