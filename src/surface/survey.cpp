@@ -226,7 +226,6 @@ class Surveyor {
         const int block = 1 << blocks.shift, from = firstNodeRow() - 1, end = endNodeRow() - 1;
         if (from < end) {
             const int first = from >> blocks.shift, last = (end - 1) >> blocks.shift;
-            const std::vector<T> before = row_before_;
             parallelFor(std::size_t(last - first + 1), [&](std::size_t n) {
                 const int bj = first + int(n);
                 std::vector<float> squares(std::size_t(width_), 0.0f);
@@ -235,7 +234,7 @@ class Surveyor {
                     if (j == 0)
                         raiseSlopes(slopes, poleRow(survey_.north_pole).data(), nodeRow(1), width_, squares.data());
                     else
-                        raiseSlopes(slopes, j == from ? before.data() : nodeRow(j), nodeRow(j + 1), width_,
+                        raiseSlopes(slopes, j == from ? row_before_.data() : nodeRow(j), nodeRow(j + 1), width_,
                                     squares.data());
                 }
                 raiseSteepest(blocks, bj, squares);
