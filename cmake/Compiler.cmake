@@ -33,11 +33,15 @@ function(dsphere_library name)
     set_target_properties(dsphere_${name} PROPERTIES EXPORT_NAME ${name})
 endfunction()
 
-# dsphere_unity(target): several files are compiled as one where their common headers, of GoogleTest, JSON or CLI11, are
-# most of what there is to compile.
+# dsphere_unity(target [files]): so many files, 12 by default, are compiled as one where their common headers, of GoogleTest,
+# JSON or CLI11, are most of what there is to compile.
 option(DSPHERE_UNITY "Compile several files at once: builds are faster, rebuilds after a small change slower" ON)
 function(dsphere_unity target)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ${DSPHERE_UNITY} UNITY_BUILD_BATCH_SIZE 6)
+    set(files ${ARGN})
+    if(NOT files)
+        set(files 12)
+    endif()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ${DSPHERE_UNITY} UNITY_BUILD_BATCH_SIZE ${files})
     # GCC takes the one file for a header, whose anonymous namespaces would differ from one includer to the next.
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         target_compile_options(${target} PRIVATE -Wno-subobject-linkage)

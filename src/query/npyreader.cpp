@@ -14,12 +14,12 @@ constexpr std::string_view kSpaces = " \t\r\n";
 constexpr std::size_t kMostHeader = 1 << 20;
 constexpr std::uint64_t kMostRows = 999'999'999'999'999;
 constexpr std::size_t kMostShown = 80;  // characters of a header that a message repeats
-constexpr const char* kExpected =
+constexpr const char* kExpectedOfNpy =
     "expected a float64 array of the shape (N, 6): origin and direction, or (N, 8): tmin "
     "and tmax too";
 
 [[noreturn]] void refuse(const InputStream& stream, const std::string& found) {
-    throwInvalid("{}: {}; {}", stream.name(), found, kExpected);
+    throwInvalid("{}: {}; {}", stream.name(), found, kExpectedOfNpy);
 }
 
 /// All bytes before the array.

@@ -12,7 +12,7 @@ namespace dsphere::query {
 
 namespace {
 
-constexpr const char* kExpected = "expected lon,lat, and if wanted distance (R, or inf), radius (degrees) and name";
+constexpr const char* kExpectedOfSuns = "expected lon,lat, and if wanted distance (R, or inf), radius (degrees) and name";
 
 /// Where each of these columns stands; absent: as many as there are columns.
 struct Columns {
@@ -24,13 +24,13 @@ Columns columnsOf(const CsvTable& table) {
     constexpr std::array<const char*, 5> kKnown{"lon", "lat", "distance", "radius", "name"};
     for (const std::string& name : names) {
         if (std::ranges::find(kKnown, name) == kKnown.end())
-            throwInvalid("{}: the column '{}' is unknown; {}", table.where(), name, kExpected);
+            throwInvalid("{}: the column '{}' is unknown; {}", table.where(), name, kExpectedOfSuns);
         if (std::ranges::count(names, name) > 1)
-            throwInvalid("{}: the column '{}' stands twice; {}", table.where(), name, kExpected);
+            throwInvalid("{}: the column '{}' stands twice; {}", table.where(), name, kExpectedOfSuns);
     }
     const auto at = [&](const char* name) { return std::size_t(std::ranges::find(names, name) - names.begin()); };
     for (const char* name : {"lon", "lat"})
-        if (at(name) == names.size()) throwInvalid("{}: lacks the column '{}'; {}", table.where(), name, kExpected);
+        if (at(name) == names.size()) throwInvalid("{}: lacks the column '{}'; {}", table.where(), name, kExpectedOfSuns);
     return {at("lon"), at("lat"), at("distance"), at("radius"), at("name")};
 }
 
@@ -47,7 +47,7 @@ std::string faultOf(const Sun& sun) {
 }
 
 std::vector<Sun> readSuns(const std::string& file) {
-    CsvTable table(InputStream(file), kExpected);
+    CsvTable table(InputStream(file), kExpectedOfSuns);
     const Columns columns = columnsOf(table);
     const std::size_t absent = table.names().size();
     std::vector<Sun> suns;

@@ -41,10 +41,10 @@ std::uint64_t wrongs(const MethodResult& method) {
     return method.accuracy ? method.accuracy->wrong_verdicts + method.accuracy->later_roots : 0;
 }
 
-constexpr const char* kRow = "  {:<14} {:>11} {:>11} {:>11} {:>9} {:>20} {:>12}\n";
+constexpr const char* kChangeRow = "  {:<14} {:>11} {:>11} {:>11} {:>9} {:>20} {:>12}\n";
 
 std::string row(const MethodResult& now, const MethodResult& before) {
-    return fmt::format(fmt::runtime(kRow), now.method, change(now.primary.device, before.primary.device),
+    return fmt::format(fmt::runtime(kChangeRow), now.method, change(now.primary.device, before.primary.device),
                        change(now.shadow.device, before.shadow.device), change(now.setup_seconds, before.setup_seconds),
                        percent(double(now.memory_bytes), double(before.memory_bytes)), errorChange(now, before),
                        fmt::format("{} -> {}", wrongs(before), wrongs(now)));
@@ -70,7 +70,7 @@ std::string changes(const Results& now, const Results& before) {
         if (rows.empty()) continue;
         any = true;
         text += fmt::format("{}, {}\n", caseName(view), view.view);
-        text += fmt::format(fmt::runtime(kRow), "", "primary", "shadow", "set-up", "memory", "99.9 % distance / R",
+        text += fmt::format(fmt::runtime(kChangeRow), "", "primary", "shadow", "set-up", "memory", "99.9 % distance / R",
                             "wrong hits");
         text += rows;
     }

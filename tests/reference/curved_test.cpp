@@ -12,7 +12,7 @@ namespace {
 
 using enum Registration;
 
-struct Case {
+struct CurvedCase {
     std::string name;
     Heightmap map;
     Relief relief;
@@ -31,8 +31,8 @@ Heightmap rippleMap(int u_frequency, int v_frequency, double longitude_origin = 
     return loadHeightmap(sphere);
 }
 
-std::vector<Case> cases() {
-    std::vector<Case> all;
+std::vector<CurvedCase> curvedCases() {
+    std::vector<CurvedCase> all;
     all.push_back({"texel", noiseMap(24, 12, Texel, 1), splineRelief(30.0)});
     all.push_back({"gridline", noiseMap(24, 13, Gridline, 2), splineRelief(30.0)});
     all.push_back({"checkerboard", checkerboard(16, 8, Texel), splineRelief(-40.0)});
@@ -54,7 +54,7 @@ dvec3 someDirection(Random& random, int k) {
 
 TEST(Curved, HeightsAreTheOracles) {
     Random random(1);
-    for (const Case& c : cases()) {
+    for (const CurvedCase& c : curvedCases()) {
         const Surface surface(c.map, c.relief);
         const Oracle oracle(c.map, c.relief);
         for (int k = 0; k < 2000; ++k) {
@@ -67,7 +67,7 @@ TEST(Curved, HeightsAreTheOracles) {
 TEST(Curved, GradientsAreDifferencesOfHeights) {
     Random random(2);
     const double step = 1e-6;
-    for (const Case& c : cases()) {
+    for (const CurvedCase& c : curvedCases()) {
         const Surface surface(c.map, c.relief);
         const Oracle oracle(c.map, c.relief);
         int creased = 0;
@@ -88,7 +88,7 @@ TEST(Curved, GradientsAreDifferencesOfHeights) {
 
 TEST(Curved, SlopeBoundsHold) {
     Random random(3);
-    for (const Case& c : cases()) {
+    for (const CurvedCase& c : curvedCases()) {
         const Surface surface(c.map, c.relief);
         for (int k = 0; k < 2000; ++k) {
             const int i = int(random() % std::uint64_t(surface.grid().columns()));
@@ -111,7 +111,7 @@ TEST(Curved, SlopeBoundsHold) {
 
 TEST(Curved, FirstHitsAreTheOracles) {
     Random random(4);
-    for (const Case& c : cases()) {
+    for (const CurvedCase& c : curvedCases()) {
         const Surface surface(c.map, c.relief);
         const Oracle oracle(c.map, c.relief);
         Tally tally;

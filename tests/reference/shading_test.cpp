@@ -1,6 +1,6 @@
 // Direct light with the sample numbers of pictures: over a pixel's samples it comes to the closed form.
 
-#include "reference/tracer.h"
+#include "tests/reference/plaintracer.h"
 
 #include <gtest/gtest.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -23,10 +23,6 @@ Scene floorUnder(const decltype(Shape::geometry)& emitter, const dmat4& place) {
     scene.shapes = {floor, lamp};
     scene.lights.emplace_back(AreaLight{.shape = 1, .radiance = dvec3(4.0), .two_sided = false});
     return scene;
-}
-
-Tracer plainTracer(const Scene& scene) {
-    return Tracer(scene, std::vector<const Heightmap*>(scene.shapes.size()), std::vector<Relief>(scene.shapes.size()));
 }
 
 const ShadingPoint kMiddle{0, dvec3(0.0), dvec3(0.0), {kNorth, kNorth}, kNorth};

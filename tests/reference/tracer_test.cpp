@@ -1,7 +1,6 @@
-#include "reference/tracer.h"
-
 #include "scene/ramps.h"
 #include "tests/reference/maps.h"
+#include "tests/reference/plaintracer.h"
 
 #include <gtest/gtest.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -22,10 +21,6 @@ Shape shape(const Geometry& geometry, const dmat4& world_from_object) {
     shape.geometry = geometry;
     shape.world_from_object = world_from_object;
     return shape;
-}
-
-Tracer plainTracer(const Scene& scene) {
-    return Tracer(scene, std::vector<const Heightmap*>(scene.shapes.size()), std::vector<Relief>(scene.shapes.size()));
 }
 
 TEST(Tracer, NearestShapeAndItsNormal) {

@@ -12,13 +12,6 @@ Geometry onlyGeometry(const std::string& shape) {
     return std::get<Geometry>(scene.shapes.at(0).geometry);
 }
 
-template <typename Kind>
-Kind onlyLight(const std::string& light) {
-    Scene scene = parseParts("", light);
-    EXPECT_EQ(scene.lights.size(), 1u);
-    return std::get<Kind>(scene.lights.at(0));
-}
-
 dvec3 sphereColour(const std::string& world) {
     Scene scene = parseParts("", world);
     return textureAs<ConstantColour>(scene.shapes.back().material)->rgb;

@@ -5,13 +5,6 @@
 namespace dsphere {
 namespace {
 
-template <typename Kind>
-Kind onlyLight(const std::string& world) {
-    Scene scene = parseParts("", world);
-    EXPECT_EQ(scene.lights.size(), 1u);
-    return std::get<Kind>(scene.lights.at(0));
-}
-
 TEST(InfiniteLights, Constant) {
     auto light = onlyLight<InfiniteLight>("LightSource \"infinite\"");
     EXPECT_EQ(light, InfiniteLight{});

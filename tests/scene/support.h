@@ -49,6 +49,14 @@ inline Scene parseParts(const std::string& options, const std::string& world = "
     return parse(options + "\nWorldBegin\n" + world + "\nShape \"sphere\"\n");
 }
 
+/// The light of such a scene, of this kind.
+template <typename Kind>
+Kind onlyLight(const std::string& light) {
+    const Scene scene = parseParts("", light);
+    EXPECT_EQ(scene.lights.size(), 1u);
+    return std::get<Kind>(scene.lights.at(0));
+}
+
 inline void expectNear(const dmat4& a, const dmat4& b, double tolerance = 1e-15) {
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)

@@ -8,12 +8,12 @@
 namespace dsphere::viewer {
 namespace {
 
-Scene parsed(const std::string& world) {
+Scene parsedPaths(const std::string& world) {
     return parseScene("Integrator \"path\"\nPixelFilter \"gaussian\"\nWorldBegin\n" + world, "standin.pbrt", "/maps");
 }
 
 TEST(StandIn, NeedsNoPaths) {
-    const Scene scene = parsed(
+    const Scene scene = parsedPaths(
         "LightSource \"infinite\" \"rgb L\" [.1 .2 .3]\n"
         "AttributeBegin\nTranslate 0 5 0\nScale 2 2 2\nAreaLightSource \"diffuse\" \"rgb L\" [3 3 3]\n"
         "Shape \"sphere\" \"float radius\" 0.5\nAttributeEnd\n"
