@@ -12,22 +12,34 @@ std::uint32_t hash(std::uint32_t x) {
     return x ^ x >> 16;
 }
 
+// What the points of the lattice with that y and z have in common.
+std::uint32_t lineHash(int y, int z, std::uint32_t seed) {
+    return hash(std::uint32_t(y) + hash(std::uint32_t(z) + hash(seed)));
+}
+
+double share(std::uint32_t hash) {
+    return hash / 4294967296.0;
+}
+
 }  // namespace
 
 double latticeNoise(int x, int y, int z, std::uint32_t seed) {
-    return hash(std::uint32_t(x) + hash(std::uint32_t(y) + hash(std::uint32_t(z) + hash(seed)))) / 4294967296.0;
+    return share(hash(std::uint32_t(x) + lineHash(y, z, seed)));
 }
 
 double valueNoise(const dvec3& point, std::uint32_t seed) {
     const dvec3 cell = glm::floor(point), t = point - cell;
+    const std::uint32_t x = std::uint32_t(int(cell.x));
+    const int y = int(cell.y), z = int(cell.z);
+    const double in_x = smoothStep(t.x), in_y = smoothStep(t.y), in_z = smoothStep(t.z);
     double sum = 0.0;
-    for (int corner = 0; corner < 8; ++corner) {
-        const int dx = corner & 1, dy = corner >> 1 & 1, dz = corner >> 2;
-        const double weight = (dx ? smoothStep(t.x) : 1.0 - smoothStep(t.x)) *
-                              (dy ? smoothStep(t.y) : 1.0 - smoothStep(t.y)) *
-                              (dz ? smoothStep(t.z) : 1.0 - smoothStep(t.z));
-        sum += weight * latticeNoise(int(cell.x) + dx, int(cell.y) + dy, int(cell.z) + dz, seed);
-    }
+    for (int dz = 0; dz < 2; ++dz)
+        for (int dy = 0; dy < 2; ++dy) {
+            const std::uint32_t row = lineHash(y + dy, z + dz, seed);
+            const double across = dy ? in_y : 1.0 - in_y, up = dz ? in_z : 1.0 - in_z;
+            sum += (1.0 - in_x) * across * up * share(hash(x + row));
+            sum += in_x * across * up * share(hash(x + 1u + row));
+        }
     return sum;
 }
 
