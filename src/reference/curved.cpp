@@ -110,7 +110,7 @@ struct SplineField::Ring {
 
 double SplineField::control(int i, int line) const {
     const int columns = map_->width, last = map_->height - 1;
-    i = (i % columns + columns) % columns;
+    if (i < 0 || i >= columns) i = (i % columns + columns) % columns;
     if (line >= 0 && line <= last) return map_->at(i, line);
     if (map_->registration == Registration::Texel) return map_->at(i, std::clamp(line, 0, last));
     const double pole = line < 0 ? map_->north_pole : map_->south_pole;
