@@ -7,6 +7,7 @@
 #include "shaders/layout.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -52,21 +53,28 @@ double hidden(double cosine, double alpha) {
 // facets lose light at the rim of the disk that they are drawn from alone, so the radii crowd there.
 double lossAt(double cosine, double alpha) {
     constexpr int kRadii = 4096, kAngles = 24;  // of one half, which mirrors the other
+    std::array<double, kAngles> cosines, sines;
+    for (int j = 0; j < kAngles; ++j) {
+        const double angle = kPi * ((j + 0.5) / kAngles - 0.5);
+        cosines[std::size_t(j)] = std::cos(angle);
+        sines[std::size_t(j)] = std::sin(angle);
+    }
+    // Views and the axis of the stretched facets lie in the plane y = 0. `across` is the disk's axis there.
     const double c = std::max(cosine, 1e-5);
-    const dvec3 view(std::sqrt(1.0 - c * c), 0.0, c);
-    const dvec3 stretched = glm::normalize(dvec3(alpha * view.x, 0.0, view.z));
-    const dvec3 x = dvec3(0.0, 1.0, 0.0), y = glm::cross(stretched, x);
-    const double own = hidden(c, alpha), s = 0.5 * (1.0 + stretched.z);
+    const dvec2 view(std::sqrt(1.0 - c * c), c), axis = glm::normalize(dvec2(alpha * view.x, view.y));
+    const dvec2 across(-axis.y, axis.x);
+    const double own = hidden(c, alpha), s = 0.5 * (1.0 + axis.y);
     double sum = 0.0;
     for (int i = 0; i < kRadii; ++i) {
         const double from_rim = 1.0 - (i + 0.5) / kRadii;
         const double radius = std::sqrt(1.0 - from_rim * from_rim * from_rim), weight = 3.0 * from_rim * from_rim;
-        for (int j = 0; j < kAngles; ++j) {
-            const double angle = kPi * ((j + 0.5) / kAngles - 0.5), a = radius * std::cos(angle);
-            const double b = (1.0 - s) * std::sqrt(1.0 - a * a) + s * radius * std::sin(angle);
-            const dvec3 facet = a * x + b * y + std::sqrt(std::max(0.0, 1.0 - a * a - b * b)) * stretched;
-            const dvec3 h = glm::normalize(dvec3(alpha * facet.x, alpha * facet.y, std::max(facet.z, 0.0)));
-            const double light = 2.0 * glm::dot(view, h) * h.z - view.z;
+        for (std::size_t j = 0; j < kAngles; ++j) {
+            const double a = radius * cosines[j];
+            const double b = (1.0 - s) * std::sqrt(1.0 - a * a) + s * radius * sines[j];
+            const dvec2 facet = b * across + std::sqrt(std::max(0.0, 1.0 - a * a - b * b)) * axis;
+            const dvec2 h(alpha * facet.x, std::max(facet.y, 0.0));  // with y = alpha a; of any length
+            const double square = glm::dot(h, h) + alpha * alpha * a * a;
+            const double light = 2.0 * glm::dot(view, h) * h.y / square - view.y;
             const double in_light = light > 0.0 ? hidden(std::min(light, 1.0), alpha) : 0.0;
             sum += weight * (light > 0.0 ? in_light / (1.0 + own + in_light) : 1.0);
         }
