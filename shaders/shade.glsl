@@ -215,13 +215,9 @@ Candidates displacedNear(const vec3 start, const vec3 direction) {
     return candidates;
 }
 
-// Keeps object k's hit, if it is of the kinds meant, and the nearest so far.
-void considerObject(INOUT(SurfacePoint) best, const int k, const Segment segment, const int kinds) {
-    ObjectData object = objectOf(k, kinds);
-    Ray ray = segmentRay(segment, k, object);
-    int level = segmentLevel(segment, k, object, ray);
-    startClear(ray, segment);  // after the level, which goes by where the ray enters the shell
-    ObjectHit hit = hitObject(object, mapOf(k, kinds, level), ray, kinds);
+// Keeps a hit of object k, if it is the nearest so far.
+void takeHit(INOUT(SurfacePoint) best, const int k, const ObjectData object, const int level, const Segment segment,
+             INOUT(ObjectHit) hit) {
     ROUND_AS_FILMED(hit.p);
     best.steps += hit.steps;
     best.exhausted = best.exhausted || hit.exhausted;
@@ -251,18 +247,33 @@ void considerObject(INOUT(SurfacePoint) best, const int k, const Segment segment
     }
 }
 
+// Where a first ray or a path's meets object k, if it is of the kinds meant.
+void considerObject(INOUT(SurfacePoint) best, const int k, const Segment segment, const int kinds) {
+    ObjectData object = objectOf(k, kinds);
+    Ray ray = segmentRay(segment, k, object);
+    int level = segmentLevel(segment, k, object, ray);
+    startClear(ray, segment);  // after the level, which goes by where the ray enters the shell
+    ObjectHit hit = hitObject(object, mapOf(k, kinds, level), ray, kinds);
+    takeHit(best, k, object, level, segment, hit);
+}
+
+SurfacePoint noPoint() {
+    SurfacePoint point;
+    point.hit = false;
+    point.inside = false;
+    point.exhausted = false;
+    point.doubtful = false;
+    point.object = -1;
+    point.steps = 0;
+    point.level = 0;
+    point.safe_s = -kInfinity;
+    point.ramp = -1;  // so that it is not the object's alone (rule L2)
+    point.t = kInfinity;
+    return point;
+}
+
 SurfacePoint nearestHit(const Segment segment) {
-    SurfacePoint best;
-    best.hit = false;
-    best.inside = false;
-    best.exhausted = false;
-    best.doubtful = false;
-    best.object = -1;
-    best.steps = 0;
-    best.level = 0;
-    best.safe_s = -kInfinity;
-    best.ramp = -1;  // so that it is not the object's alone (rule L2)
-    best.t = kInfinity;
+    SurfacePoint best = noPoint();
     // Not even a loop of one iteration is free: it stands between the driver and what it could do once (rule L3).
     if (kObjectCount == 1) {
         considerObject(best, 0, segment, ~0);
@@ -316,17 +327,22 @@ vec3 albedoOf(const SurfacePoint point) {
     return min(colour * XYZ(objectOf(point.object, ~0).texture_scale), vec3(real(1)));
 }
 
-// Whether object k is between P' and a light: at `place`, seen from object 0's centre, if the ray `ends` there; in the
+// From P' in the space of object k to a light: at `place`, seen from object 0's centre, if the ray `ends` there; in the
 // direction `place` if it goes on for ever.
-bool shades(const int k, const SurfacePoint point, const vec3 place, const bool ends, const int kinds,
-            INOUT(Searches) searches) {
-    ObjectData object = objectOf(k, kinds);
+Ray shadowRay(const int k, const ObjectData object, const SurfacePoint point, const vec3 place, const bool ends) {
     vec3 start = startFor(k, object, point.object, point.start);
     vec3 offset = ends ? objectFromWorldVector(object, place - XYZ(object.from_first)) - start
                        : objectFromWorldVector(object, place);
+    return secondaryRay(start, offset, ends);
+}
+
+// Whether object k is between P' and a light.
+bool shades(const int k, const SurfacePoint point, const vec3 place, const bool ends, const int kinds,
+            INOUT(Searches) searches) {
+    ObjectData object = objectOf(k, kinds);
     // P' stands on the level that the camera's ray met; other objects throw the shadows of their maps.
     MapData map = mapOf(k, kinds, k == point.object ? point.level : 0);
-    return blocks(object, map, secondaryRay(start, offset, ends), kinds, searches);
+    return blocks(object, map, shadowRay(k, object, point, place, ends), kinds, searches);
 }
 
 // Whether an object other than `except` stands between; `except` is -1, or a plain object that is the light itself.

@@ -1,10 +1,15 @@
 // Direct light on Lambertian surfaces from distant and point lights. Expects shade.glsl.
 
+// Whether P faces the light.
+bool facesLight(const SurfacePoint point, const LightData light) {
+    vec3 towards = isLight(light, LIGHT_POINT) ? XYZ(light.position) - point.from_first : XYZ(light.position);
+    return dot(towards, point.normal) > real(0);
+}
+
 // Whether the light is seen from P'.
 bool isLit(const SurfacePoint point, const LightData light, INOUT(Searches) searches) {
-    bool ends = isLight(light, LIGHT_POINT);
-    vec3 towards = ends ? XYZ(light.position) - point.from_first : XYZ(light.position);
-    return dot(towards, point.normal) > real(0) && !isShaded(point, XYZ(light.position), ends, -1, searches);
+    return facesLight(point, light) &&
+           !isShaded(point, XYZ(light.position), isLight(light, LIGHT_POINT), -1, searches);
 }
 
 uint visibleLights(const SurfacePoint point, INOUT(Searches) searches) {
@@ -40,8 +45,48 @@ vec3 directLight(const SurfacePoint point, const vec3 albedo, const uint lit) {
     return albedo * sum / kPi;
 }
 
+LightData lightOf(const int k) {
+    if (kLightCount == 1) return only_light;
+    return lights[k];
+}
+
+// gatherDirect() of a scene's only object: one loop through the first ray and those to the lights, in which the search
+// stands once, not twice: the retry has few rays, and drivers make its code sooner.
+Gathered gatherInOneLoop(const Segment segment) {
+    Gathered result = nothingGathered();
+    SurfacePoint point = noPoint();
+    ObjectData object = objectOf(0, ~0);
+    Ray ray = segmentRay(segment, 0, object);
+    int level = segmentLevel(segment, 0, object, ray);
+    startClear(ray, segment);
+    bool facing = false;
+    int turn = 0;  // the first ray's, then light `turn - 1`'s
+    while (turn <= kLightCount) {
+        ObjectHit hit = hitObject(object, mapOf(0, ~0, level), ray, ~0);
+        if (turn == 0)
+            takeHit(point, 0, object, level, segment, hit);
+        else
+            result.lit |= facing && !hit.hit ? 1u << (turn - 1) : 0u;
+        if (!kWantsLight || kShadows == 0 || !point.hit || turn == kLightCount) break;
+        LightData light = lightOf(turn);
+        facing = facesLight(point, light);
+        ray = shadowRay(0, object, point, XYZ(light.position), isLight(light, LIGHT_POINT));
+        turn += 1;
+    }
+    result.point = point;
+    if (kWantsLight && point.hit) {
+        result.albedo = albedoOf(point);
+        result.lit = kShadows == 0 ? ~0u : result.lit;
+        result.colour = directLight(point, result.albedo, result.lit);
+    }
+    return result;
+}
+
 // The nearest hit, and its light if that is wanted.
 Gathered gatherDirect(const Segment segment) {
+    if (kIsRetry) {
+        if (kObjectCount == 1) return gatherInOneLoop(segment);
+    }
     Gathered result = nothingGathered();
     result.point = nearestHit(segment);
     result.searches.doubtful = result.point.doubtful;
