@@ -19,9 +19,17 @@ real component(const vec3 v, const int axis) {
     return axis == 0 ? v.x : (axis == 1 ? v.y : v.z);
 }
 
+int nextAxis(const int axis) {
+    return axis == 2 ? 0 : axis + 1;
+}
+
+int previousAxis(const int axis) {
+    return axis == 0 ? 2 : axis - 1;
+}
+
 FaceRay faceRay(const Ray ray, const int axis, const real sign_of_face) {
-    int axis_a = axis == 2 ? 0 : axis + 1;
-    int axis_b = axis == 0 ? 2 : axis - 1;
+    int axis_a = nextAxis(axis);
+    int axis_b = previousAxis(axis);
     FaceRay face;
     real ca = component(ray.c, axis_a);
     real cb = component(ray.c, axis_b);
@@ -79,8 +87,8 @@ void findCell(INOUT(Cursor) at, const FaceRay face) {
 
 // Over the edge of a face to its neighbour; findCell() is still to be called.
 void turnFace(INOUT(Cursor) at, const FaceRay face) {
-    int next = at.axis == 2 ? 0 : at.axis + 1;
-    int previous = at.axis == 0 ? 2 : at.axis - 1;
+    int next = nextAxis(at.axis);
+    int previous = previousAxis(at.axis);
     at.axis = at.across_a ? next : previous;
     at.sign_of_face = (at.across_a ? face.mirrors_a : face.mirrors_b) ? real(-1) : real(1);
 }
@@ -138,8 +146,8 @@ bool escapes(const Ray ray, const MapData map) {
     chooseFace(at, p);
     int side = map.bounds_side >> 2;
     real major = abs(component(p, at.axis));
-    int i = cellIndex(component(p, at.axis == 2 ? 0 : at.axis + 1), major, side);
-    int j = cellIndex(component(p, at.axis == 0 ? 2 : at.axis - 1), major, side);
+    int i = cellIndex(component(p, nextAxis(at.axis)), major, side);
+    int j = cellIndex(component(p, previousAxis(at.axis)), major, side);
     vec2 horizon = horizonAt(map, faceRow(map, at.axis, at.sign_of_face), i, j);
     real square = ray.s_min * ray.s_min;
     return ray.s_min > real(0) && square > horizon.x * ray.c2 && square + ray.c2 >= horizon.y;
