@@ -125,8 +125,7 @@ void fillFromNodes(int side, const Relief& relief, const NodeGrid& nodes, const 
     };
     if (nodes.map().ripples) {
         fill([&](const Footprint& box) {
-            Interval h = rippleRange(nodes.map(), {box.longitude.low, box.longitude.high},
-                                     {box.colatitude.low, box.colatitude.high});
+            const Interval h = rippleRange(nodes.map(), box.longitude, box.colatitude);
             return std::max(relief.scale * h.low, relief.scale * h.high);
         });
     } else {

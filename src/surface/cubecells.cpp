@@ -9,7 +9,7 @@ namespace dsphere {
 
 namespace {
 
-Range squares(Range x) {
+Interval squares(Interval x) {
     double low = x.low > 0.0 ? x.low : (x.high < 0.0 ? -x.high : 0.0);
     double high = std::max(std::abs(x.low), std::abs(x.high));
     return {low * low, high * high};
@@ -32,14 +32,14 @@ NodeBox nodesUnder(const NodeGrid& nodes, const Footprint& box) {
 CubeCells::CubeCells(int side) {
     for (int i = 0; i < side; ++i) {
         const double width = 2.0 / side;
-        const Range extent{i * width - 1.0 - Bounds::kDilation, (i + 1) * width - 1.0 + Bounds::kDilation};
+        const Interval extent{i * width - 1.0 - Bounds::kDilation, (i + 1) * width - 1.0 + Bounds::kDilation};
         sides_.push_back({extent, {std::atan(extent.low), std::atan(extent.high)}});
     }
 }
 
 // A cell of the face around the north pole: longitude from the corners, or a whole turn when the cell holds the pole.
-Footprint CubeCells::polarFootprint(Range z, Range x) {
-    Range zz = squares(z), xx = squares(x);
+Footprint CubeCells::polarFootprint(Interval z, Interval x) {
+    Interval zz = squares(z), xx = squares(x);
     Footprint box{{-kPi, kPi}, {std::atan(std::sqrt(zz.low + xx.low)), std::atan(std::sqrt(zz.high + xx.high))}};
     if (zz.low == 0.0 && xx.low == 0.0) return box;
     double mid_x = 0.5 * (x.low + x.high), mid_z = 0.5 * (z.low + z.high);
@@ -61,14 +61,14 @@ Footprint CubeCells::mirrored(const Footprint& box) {
 
 // A cell of a face around the equator: its vertical edges are meridians, so the longitude range is exact; `across` is
 // the horizontal face coordinate, `longitude_0 + turn * atan(across)` its longitude.
-Range CubeCells::sideLongitude(double longitude_0, double turn, const Side& across) {
+Interval CubeCells::sideLongitude(double longitude_0, double turn, const Side& across) {
     double first = longitude_0 + turn * across.angle.low, last = longitude_0 + turn * across.angle.high;
     return {std::min(first, last), std::max(first, last)};
 }
 
 // The colatitudes of a cell on any of the four faces around the equator; y is the vertical face coordinate.
-Range CubeCells::sideColatitude(Range across, Range y) {
-    Range squared = squares(across);
+Interval CubeCells::sideColatitude(Interval across, Interval y) {
+    Interval squared = squares(across);
     double near = std::sqrt(1.0 + squared.low), far = std::sqrt(1.0 + squared.high);
     return {std::atan2(y.high > 0.0 ? near : far, y.high), std::atan2(y.low > 0.0 ? far : near, y.low)};
 }

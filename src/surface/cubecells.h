@@ -2,19 +2,16 @@
 
 // The finest cells of the cube map that bounds lie on, and where they lie on a map.
 
+#include "surface/interval.h"
 #include "surface/nodes.h"
 
 #include <vector>
 
 namespace dsphere {
 
-struct Range {
-    double low, high;
-};
-
 /// The (longitude, colatitude) box of a dilated cube cell, radians.
 struct Footprint {
-    Range longitude, colatitude;
+    Interval longitude, colatitude;
 };
 
 /// The nodes of all patches that a footprint touches: `count` columns from `first` on, which wrap, and rows `top` to
@@ -42,7 +39,7 @@ class CubeCells {
             const Footprint polar = polarFootprint(side, fixed);
             visit(2, k, n, polar);
             visit(3, k, n, mirrored(polar));
-            const Range colatitude = sideColatitude(side, fixed);
+            const Interval colatitude = sideColatitude(side, fixed);
             visit(0, n, k, Footprint{sideLongitude(kPi / 2, -1.0, side), colatitude});
             visit(1, n, k, Footprint{sideLongitude(-kPi / 2, 1.0, side), colatitude});
             visit(4, k, n, Footprint{sideLongitude(0.0, 1.0, side), colatitude});
@@ -52,14 +49,14 @@ class CubeCells {
 
   private:
     /// The extent of a cell in one face coordinate, and the angles from the face's middle to its ends.
-    struct Side : Range {
-        Range angle;
+    struct Side : Interval {
+        Interval angle;
     };
 
-    static Footprint polarFootprint(Range z, Range x);
+    static Footprint polarFootprint(Interval z, Interval x);
     static Footprint mirrored(const Footprint& box);
-    static Range sideLongitude(double longitude_0, double turn, const Side& across);
-    static Range sideColatitude(Range across, Range y);
+    static Interval sideLongitude(double longitude_0, double turn, const Side& across);
+    static Interval sideColatitude(Interval across, Interval y);
 
     std::vector<Side> sides_;  ///< of all cells along a face's edge, dilated
 };

@@ -1,12 +1,9 @@
 #pragma once
 
 #include "surface/heightmap.h"
+#include "surface/interval.h"
 
 namespace dsphere {
-
-struct Interval {
-    double low, high;
-};
 
 /// The first sine's argument at a longitude in radians: 2 pi u_frequency u, u as the map's longitude origin shifts it.
 /// The second's is v_frequency times the colatitude.

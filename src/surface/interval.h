@@ -1,0 +1,9 @@
+#pragma once
+
+namespace dsphere {
+
+struct Interval {
+    double low, high;
+};
+
+}  // namespace dsphere
