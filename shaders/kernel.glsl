@@ -90,9 +90,12 @@ Task findTask(const int n) {
     task.pixel = ivec2(params.tile_x, params.tile_y) + block * ivec2(GROUP_SIZE_X, GROUP_SIZE_Y) + within;
     task.safe_s = -kInfinity;
     task.exists = all(lessThan(task.pixel, ivec2(params.tile_x1, params.tile_y1)));
-    if (kListed != 0) {
-        uint pixel = findListed(task.exists);
-        task.pixel = ivec2(pixel & 0xffffu, pixel >> 16);
+    if (kTiles != 0) {
+        bool in_list;
+        uint pixel = findListed(in_list);
+        bool listed = takesListed();
+        task.pixel = listed ? ivec2(pixel & 0xffffu, pixel >> 16) : task.pixel;
+        task.exists = listed ? in_list && n == 0 : task.exists;
     }
     return task;
 }

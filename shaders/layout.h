@@ -68,9 +68,8 @@ using uint = std::uint32_t;
 #define SPEC_ONLY_PLAIN 23      // the same of all other objects
 #define SPEC_TURNS 24           // pixels that an invocation takes, one after the other; shade_paths alone
 #define SPEC_HIDE_DISTANCE 25   // 1: camera rays that miss see no infinite light; shade_paths alone
-#define SPEC_TILES 26           // 1: the scene has a map in tiles
-#define SPEC_LISTED 27          // 1: search_filter takes its pixels or rays from the list at BINDING_ABSENT
-#define SPEC_COUNT 28
+#define SPEC_TILES 26           // 0: the scene has no map in tiles; 1: it has; 2: and their tiles have a TILE_MARGIN
+#define SPEC_COUNT 27
 
 #define MARCHER_EXACT 0
 #define MARCHER_NAIVE 1        // the seed's: from the camera
@@ -112,6 +111,7 @@ using uint = std::uint32_t;
 #define EDGE_COLUMNS 8192  // of the edges image in a scene with a map in tiles
 #define EDGE_ROWS 4
 #define NO_TILE 0xffffffffu  // in the table: the tile is not on the device
+#define TILE_MARGIN 1        // nodes beyond each edge of a tile, which a spline in its outermost cells depends on
 
 #define IMAGE_NONE 0
 #define IMAGE_CODES 1   // a word a texel: 8-bit sRGB codes, R lowest. The image's first row holds their light, as float
@@ -264,7 +264,7 @@ struct MapData {
     int surface, cap_rows, nodes_y, nodes_layer, smooth_normals;
     float phase_u, phase_v;
     // A map in tiles has no heights image. A tile holds the nodes of 2^tile_shift x 2^tile_shift cells, those on its
-    // far edges included. Row `table_y` + r, column c of layer 0 of the tiles image tells where tile (c, r) lies, in
+    // far edges included, and perhaps a margin (SPEC_TILES). Row `table_y` + r, column c of layer 0 of the tiles image tells where tile (c, r) lies, in
     // tiles: c in 8 bits, r in 8, layer in 16; or NO_TILE. Tiles begin below row `tiles_y` of every layer.
     int tile_shift;                    // 0: the map is not in tiles
     int table_y, tiles_y, first_tile;  // first_tile: the number of tile (0, 0) among those of all maps
@@ -295,7 +295,8 @@ struct RetryPixel {
 };
 
 // The head of the list of pixels (query.comp: rays) that met a tile which is not on the device; the list follows, and
-// after `capacity` entries that of those that are to be done again, `listed` of them.
+// after `capacity` entries that of those that are to be done again, `listed` of them: search_filter does these where
+// there are any.
 struct AbsentHead {
     uint count, capacity, listed, pad0;
 };

@@ -73,7 +73,13 @@ Place findPlace() {
     place.index = gl_GlobalInvocationID.x;
     place.exists = place.index < params.count;
     place.safe_s = -kInfinity;
-    if (kListed != 0) place.index = findListed(place.exists);
+    if (kTiles != 0) {
+        bool in_list;
+        uint index = findListed(in_list);
+        bool listed = takesListed();
+        place.index = listed ? index : place.index;
+        place.exists = listed ? in_list : place.exists;
+    }
     return place;
 }
 

@@ -41,7 +41,6 @@ layout(constant_id = SPEC_THRESHOLD) const float kThreshold = 3e-6;
 layout(constant_id = SPEC_STRIDE) const float kStride = 1.0;
 layout(constant_id = SPEC_DETAIL) const float kDetail = 0.0;
 layout(constant_id = SPEC_TILES) const int kTiles = 0;
-layout(constant_id = SPEC_LISTED) const int kListed = 0;
 
 layout(std140, binding = BINDING_OBJECTS) uniform Objects { ObjectData objects[MAX_OBJECTS]; };
 layout(std140, binding = BINDING_MAPS) uniform Maps { MapData maps[MAX_OBJECTS * MAX_LEVELS]; };

@@ -25,7 +25,12 @@ void leaveForRetry(const uint pixel, const real safe_s) {
     if (opens_group && (in_first_row || group % RETRY_ROW == 0u)) atomicAdd(retry.groups[in_first_row ? 0 : 1], 1u);
 }
 
-// The invocation's entry among those to be done again, if it `exists`.
+// Whether invocations are for those that are to be done again now that their tile is there.
+bool takesListed() {
+    return absent.listed > 0u;
+}
+
+// The invocation's entry among those, if it `exists`.
 uint findListed(OUT(bool) exists) {
     uint group = gl_WorkGroupID.y * RETRY_ROW + gl_WorkGroupID.x;
     uint index = group * uint(GROUP_SIZE_X * GROUP_SIZE_Y) + gl_LocalInvocationIndex;

@@ -9,11 +9,17 @@ namespace dsphere::cli {
 
 SceneOnDevice::SceneOnDevice(Scene& scene, const SceneOptions& placement, const CommonOptions& common,
                              const MarchMethod& method, std::uint32_t planes) {
-    auto reading = std::async(std::launch::async, [&] { return readMaps(scene, placement, common); });
+    std::promise<bool> tiles;
+    auto reading = std::async(std::launch::async, [&] {
+        tiles.set_value(anyMapStaysInFile(scene, placement.memory_limit));
+        return readMaps(scene, placement, common);
+    });
     std::future<void> compiling;
     try {
         device_.emplace(common);
-        compiling = device_->warmAhead(traitsOf(scene), method, planes);
+        SceneTraits traits = traitsOf(scene);
+        traits.tiles = tiles.get_future().get();
+        compiling = device_->warmAhead(traits, method, planes);
     } catch (...) {
         reading.get();  // a bad map is what the user hears of first, whatever the device
         throw;

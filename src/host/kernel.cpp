@@ -145,7 +145,7 @@ struct Invocation {
     const real kRadiusX = real(asFloat(spec[SPEC_RADIUS_X])), kRadiusY = real(asFloat(spec[SPEC_RADIUS_Y]));
     const real kThreshold = real(asFloat(spec[SPEC_THRESHOLD])), kStride = real(asFloat(spec[SPEC_STRIDE]));
     const real kDetail = real(asFloat(spec[SPEC_DETAIL]));
-    static constexpr int kTiles = 0, kListed = 0;
+    static constexpr int kTiles = 0;
 
     const Heights heights;
     const BoundsImage bounds;

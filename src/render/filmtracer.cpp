@@ -46,8 +46,8 @@ const Shaders kBaseline = {kVariants_render_baseline, kVariants_render_baseline}
 // the first pipeline's is best begun as soon as possible, beside the other's translation.
 FilmPipelines::FilmPipelines(gpu::Device& device, const SceneTraits& traits, float stride, const MarchMethod& method,
                              std::uint32_t mask) {
-    const auto make = [&device, traits, stride, method, mask](const Shaders& shaders, bool listed = false) {
-        return makeMarchPipeline(device, traits, stride, shaders.of(traits), Shader::Render, method, mask, listed);
+    const auto make = [&device, traits, stride, method, mask](const Shaders& shaders) {
+        return makeMarchPipeline(device, traits, stride, shaders.of(traits), Shader::Render, method, mask);
     };
     if (traits.tiles && method.marcher != Marcher::Exact)
         throwInvalid("a map that stays in its file is marched exactly alone; expected the marcher to be exact");
@@ -55,8 +55,7 @@ FilmPipelines::FilmPipelines(gpu::Device& device, const SceneTraits& traits, flo
     const bool exact = method.marcher == Marcher::Exact;
     const auto startFull = [&] {
         if (exact && (traits.kinds & 1u << KIND_DISPLACED))
-            full_ = std::async(std::launch::async, make, std::cref(kFull), false).share();
-        if (traits.tiles) listed_ = std::async(std::launch::async, make, std::cref(kFilter), true).share();
+            full_ = std::async(std::launch::async, make, std::cref(kFull)).share();
     };
     if (!runsOnCpu(device)) startFull();
     first_ = make(exact ? kFilter : kBaseline);
@@ -77,7 +76,9 @@ std::future<void> warmAhead(gpu::Device& device, const SceneTraits& traits, cons
     if (method.marcher != Marcher::Exact || traits.images) return makeAhead(device, traits, method, mask);
     return std::async(std::launch::async, [&device, traits, method, mask] {
         FilmPipelines pipelines(device, traits, 1.0f, method, mask);
-        const DeviceScene nothing(device, PackedScene());
+        PackedScene packed;
+        packed.traits = traits;
+        const DeviceScene nothing(device, packed);
         const DeviceFilm film(device, 1, 1, mask);
         FilmTracer(device, pipelines, nothing, film.image());
     });
@@ -102,9 +103,8 @@ void FilmTracer::warmUp() {
     leftovers_.reset(batch_);
     dispatchNothing(pipelines_.first());
     batch_.submit();
-    for (const gpu::ComputePipeline* later : {pipelines_.full(), pipelines_.listed()}) {
-        if (!later) continue;
-        dispatchNothing(*later);
+    if (const gpu::ComputePipeline* full = pipelines_.full()) {
+        dispatchNothing(*full);
         batch_.submit();
     }
 }
@@ -118,7 +118,7 @@ double FilmTracer::run(std::span<const layout::RenderParams> tiles) {
         batch_.dispatch(groups(tile.tile_x1 - tile.tile_x, pipelines_.columns()),
                         groups(tile.tile_y1 - tile.tile_y, GROUP_SIZE_Y), 1);
     }
-    return leftovers_.run(batch_, set_, {pipelines_.full(), pipelines_.listed()}, tiles.front());
+    return leftovers_.run(batch_, set_, {pipelines_.first(), pipelines_.full()}, tiles.front());
 }
 
 }  // namespace dsphere

@@ -23,8 +23,6 @@ class FilmPipelines {
     const gpu::ComputePipeline& first() const { return *first_; }
     /// Null: there is none. Waits until it is made; throws what its making threw.
     const gpu::ComputePipeline* full() const { return full_.valid() ? &full_.get() : nullptr; }
-    /// first() for pixels from a list; null unless the scene has maps in tiles. Waits and throws as full() does.
-    const gpu::ComputePipeline* listed() const { return listed_.valid() ? &listed_.get() : nullptr; }
     /// Of pixels, that a workgroup of first() fills; GROUP_SIZE_Y rows.
     int columns() const { return columns_; }
 
@@ -34,7 +32,7 @@ class FilmPipelines {
 
   private:
     std::optional<gpu::ComputePipeline> first_;
-    std::shared_future<gpu::ComputePipeline> full_, listed_;  ///< without a state: there is none
+    std::shared_future<gpu::ComputePipeline> full_;  ///< without a state: there is none
     int columns_ = GROUP_SIZE_X;
 };
 

@@ -42,7 +42,7 @@ double Leftovers::run(gpu::Batch& batch, const gpu::BindingSet& set, const Pipel
     double seconds = submit();
     absent_.settle([&](std::uint32_t count) {
         batch.write(retry_list_, &kEmptyRetryList, sizeof(kEmptyRetryList));
-        batch.bind(*pipelines.listed, set);
+        batch.bind(pipelines.first, set);
         batch.push(params, bytes);
         constexpr std::uint32_t kGroup = GROUP_SIZE_X * GROUP_SIZE_Y, kRow = RETRY_ROW;
         const std::uint32_t groups = (count + kGroup - 1) / kGroup;

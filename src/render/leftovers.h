@@ -17,10 +17,10 @@ class Device;
 /// (BINDING_RETRY), and those that wait for a tile of heights (BINDING_ABSENT).
 class Leftovers {
   public:
-    /// The pipelines that take them; null: there is none.
+    /// The pipelines that take them.
     struct Pipelines {
-        const gpu::ComputePipeline* full;    ///< search_full, for the first list
-        const gpu::ComputePipeline* listed;  ///< the first pipeline with SPEC_LISTED, for the second
+        const gpu::ComputePipeline& first;  ///< for those that waited
+        const gpu::ComputePipeline* full;   ///< search_full, for the others; null: there are none
     };
 
     /// For submissions of at most `capacity` pixels or rays. The pool must outlive it.

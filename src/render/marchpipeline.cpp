@@ -83,10 +83,9 @@ int turnsOf(const gpu::Device& device, const SceneTraits& traits, const MarchMet
 
 gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& traits, float stride,
                                        std::span<const std::uint32_t> spirv, Shader shader, const MarchMethod& method,
-                                       std::uint32_t planes, bool listed) {
+                                       std::uint32_t planes) {
     Specialization specialization = specializationOf(traits, stride, method, planes);
-    specialization[SPEC_TURNS] = listed ? 1u : std::uint32_t(turnsOf(device, traits, method));
-    specialization[SPEC_LISTED] = listed ? 1 : 0;
+    specialization[SPEC_TURNS] = std::uint32_t(turnsOf(device, traits, method));
     // One ray that takes long holds up all that share its instructions (rule N1).
     specialization[SPEC_RETRY_STRIDE] = runsOnCpu(device) ? 1 : 32;
     struct Kind {

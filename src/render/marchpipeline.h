@@ -22,9 +22,9 @@ int turnsOf(const gpu::Device& device, const SceneTraits& traits, const MarchMet
 /// A pipeline of a shader (one of its MARCH_ variants) that marches such a scene, specialised to what the scene
 /// holds: its bindings are DeviceScene::resources(), then the film, the list of pixels to retry and AbsentList
 /// (Render), or the buffers of rays and hits (Probe), or those of rays, rays to retry, AbsentList, answers and looks
-/// (Query). `listed`: SPEC_LISTED.
+/// (Query).
 gpu::ComputePipeline makeMarchPipeline(gpu::Device& device, const SceneTraits& traits, float stride,
                                        std::span<const std::uint32_t> spirv, Shader shader, const MarchMethod& method,
-                                       std::uint32_t planes, bool listed = false);
+                                       std::uint32_t planes);
 
 }  // namespace dsphere

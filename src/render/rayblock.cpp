@@ -40,13 +40,12 @@ std::span<T> itemsOf(const gpu::Buffer& buffer) {
 }  // namespace
 
 RayPipelines::RayPipelines(gpu::Device& device, const SceneTraits& traits, const RayWishes& wishes) {
-    const auto make = [&device, traits, mask = planesOf(wishes)](const Shaders& shaders, bool listed = false) {
-        return makeMarchPipeline(device, traits, 1.0f, shaders.of(traits), Shader::Query, Marcher::Exact, mask, listed);
+    const auto make = [&device, traits, mask = planesOf(wishes)](const Shaders& shaders) {
+        return makeMarchPipeline(device, traits, 1.0f, shaders.of(traits), Shader::Query, Marcher::Exact, mask);
     };
     if (traits.kinds & 1u << KIND_DISPLACED)
         full_ = std::async(std::launch::async, [make] { return make(kFull); }).share();
     first_ = make(kFilter);
-    if (traits.tiles) listed_ = make(kFilter, true);
 }
 
 RayBlock::RayBlock(gpu::Device& device, const RayPipelines& pipelines, const DeviceScene& scene,
@@ -80,7 +79,7 @@ void RayBlock::trace(std::uint32_t count, std::uint32_t first, std::uint32_t see
     batch_.bind(pipelines_.first(), set_);
     batch_.push(params);
     batch_.dispatch((count + kGroup - 1) / kGroup, 1, 1);
-    leftovers_.run(batch_, set_, {pipelines_.full(), pipelines_.listed()}, params);
+    leftovers_.run(batch_, set_, {pipelines_.first(), pipelines_.full()}, params);
     hits_.invalidate();
     looks_.invalidate();
 }

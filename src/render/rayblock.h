@@ -32,11 +32,8 @@ class RayPipelines {
     /// Null: there is none, the scene has no displaced sphere.
     const gpu::ComputePipeline* full() const { return full_.valid() ? &full_.get() : nullptr; }
 
-    /// first() for rays from the list of AbsentList; null unless the scene has maps in tiles.
-    const gpu::ComputePipeline* listed() const { return listed_ ? &*listed_ : nullptr; }
-
   private:
-    std::optional<gpu::ComputePipeline> first_, listed_;
+    std::optional<gpu::ComputePipeline> first_;
     std::shared_future<gpu::ComputePipeline> full_;
 };
 

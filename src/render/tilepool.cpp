@@ -14,6 +14,7 @@ namespace dsphere {
 namespace {
 
 constexpr int kSlotsAcross = 8, kSlotsDown = 4;  // of a layer
+constexpr std::uint64_t kLeastLayers = 2;        // drivers compile apart for images of one (see warmAhead)
 constexpr std::size_t kReadAtOnce = 64;          // tiles that the host holds while they are read
 
 int shiftOf(int width) {
@@ -55,7 +56,10 @@ TilePool::Layout TilePool::layoutOf(const gpu::Device& device, const PackedScene
         layout.maps.push_back({.map = &map, .nodes = packed.nodes[i].get(), .index = int(i), .table = {}});
         layout.shift = std::max(layout.shift, shiftOf(map.width));
     }
-    if (layout.maps.empty()) return layout;
+    if (layout.maps.empty()) {
+        if (packed.traits.tiles) layout.layers = int(kLeastLayers);
+        return layout;
+    }
     std::uint32_t tiles = 0;
     for (Map& map : layout.maps) {
         layout.words = std::max(layout.words, wordsOf(map.map->tiled->kind(), layout.side()));
@@ -73,9 +77,9 @@ TilePool::Layout TilePool::layoutOf(const gpu::Device& device, const PackedScene
     const std::uint64_t slots =
         std::min<std::uint64_t>(tiles, std::max<std::uint64_t>(room / layout.tileBytes(), kLeastSlots));
     layout.slots_x = int(std::min<std::uint64_t>(slots, kSlotsAcross));
-    layout.slots_y = int(std::min<std::uint64_t>((slots + kSlotsAcross - 1) / kSlotsAcross, kSlotsDown));
+    layout.slots_y = int(std::clamp<std::uint64_t>(slots / (kLeastLayers * kSlotsAcross), 1, kSlotsDown));
     const std::uint64_t of_layer = std::uint64_t(layout.slots_x) * std::uint64_t(layout.slots_y);
-    layout.layers = int(std::clamp<std::uint64_t>(slots / of_layer, 1, device.limits().max_image_array_layers));
+    layout.layers = int(std::clamp<std::uint64_t>(slots / of_layer, kLeastLayers, device.limits().max_image_array_layers));
     return layout;
 }
 

@@ -19,7 +19,8 @@ class Device;
 class TilePool {
   public:
     /// Room for all tiles of the scene's such maps, or for as many as half of packed.memory_limit holds (0: half of the
-    /// device's memory), but for kLeastSlots; without such a map an image of one texel. The maps must outlive it.
+    /// device's memory), but for kLeastSlots; without such a map an image of one texel, of two layers where the scene's
+    /// traits expect one. The maps must outlive it.
     TilePool(gpu::Device& device, const PackedScene& packed);
 
     const gpu::StorageImage& image() const { return image_; }

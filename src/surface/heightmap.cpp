@@ -244,6 +244,12 @@ Heightmap readHeightmap(const DisplacedSphere& shape, const MapProgress& progres
 
 }  // namespace
 
+bool staysInFile(const DisplacedSphere& shape, std::uint64_t most_held) try {
+    return openToStay(shape, most_held) != nullptr;
+} catch (const Error&) {
+    return false;
+}
+
 // Its texels lie as those of texel registration do, whatever the whole map's are.
 std::optional<Heightmap> loadCoarseHeightmap(const DisplacedSphere& shape) {
     const auto large = openToStay(shape, geo::kLargeMapTexels);

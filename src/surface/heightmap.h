@@ -57,6 +57,10 @@ using MapProgress = std::function<bool(const std::string& path, double share)>;
 Heightmap loadHeightmap(const DisplacedSphere& shape, std::uint64_t most_held = geo::kLargeMapTexels,
                         const MapProgress& progress = {});
 
+/// Whether loadHeightmap() leaves the map in its file, as far as the file's head tells. Quick, and without errors: a file
+/// that cannot be read does not stay.
+bool staysInFile(const DisplacedSphere& shape, std::uint64_t most_held = geo::kLargeMapTexels);
+
 /// The map of kCoarseColumns columns that stands in for a map that stays in its file until that is surveyed, which
 /// takes seconds. Unset: the map is small, or was surveyed before. Errors as loadHeightmap has them.
 std::optional<Heightmap> loadCoarseHeightmap(const DisplacedSphere& shape);

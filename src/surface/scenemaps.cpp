@@ -46,14 +46,18 @@ void gather(ErrorList& errors, Load load) {
     }
 }
 
+/// Texels of a map that does not stay in its file.
+std::uint64_t mostHeld(std::uint64_t memory_limit) {
+    constexpr std::uint64_t kBytesHeld = 2 * sizeof(float);  // of a texel, on the host and on the device
+    return memory_limit > 0 ? std::min(geo::kLargeMapTexels, memory_limit / kBytesHeld) : geo::kLargeMapTexels;
+}
+
 /// Loads a scene's files, all of them: what is wrong with any is gathered.
 class Loader {
   public:
     Loader(const Scene& scene, std::uint64_t memory_limit, const MapProgress& progress, bool coarse = false)
-        : scene_(scene), progress_(progress), coarse_(coarse) {
+        : scene_(scene), progress_(progress), coarse_(coarse), most_held_(mostHeld(memory_limit)) {
         result_.memory_limit = memory_limit;
-        constexpr std::uint64_t kBytesHeld = 2 * sizeof(float);  // of a texel, on the host and on the device
-        if (memory_limit > 0) most_held_ = std::min(most_held_, memory_limit / kBytesHeld);
     }
 
     SceneMaps load() {
@@ -138,7 +142,7 @@ class Loader {
     const Scene& scene_;
     const MapProgress& progress_;
     bool coarse_;
-    std::uint64_t most_held_ = geo::kLargeMapTexels;
+    const std::uint64_t most_held_;
     SceneMaps result_;
     ErrorList errors_;
     std::vector<const DisplacedSphere*> owners_;    // of the maps, by index
@@ -173,6 +177,13 @@ std::vector<const ColourMap*> SceneMaps::imagePerShape() const {
 
 SceneMaps loadSceneMaps(const Scene& scene, std::uint64_t memory_limit, const MapProgress& progress) {
     return Loader(scene, memory_limit, progress).load();
+}
+
+bool anyMapStaysInFile(const Scene& scene, std::uint64_t memory_limit) {
+    return std::ranges::any_of(scene.shapes, [&](const Shape& shape) {
+        const auto* sphere = std::get_if<DisplacedSphere>(&shape.geometry);
+        return sphere && staysInFile(*sphere, mostHeld(memory_limit));
+    });
 }
 
 SceneMaps loadCoarseMaps(const Scene& scene) {

@@ -39,6 +39,9 @@ struct SceneMaps {
 /// loadHeightmap), and that heights on the device take at most; 0: as many as are there.
 SceneMaps loadSceneMaps(const Scene& scene, std::uint64_t memory_limit = 0, const MapProgress& progress = {});
 
+/// Whether loadSceneMaps() leaves one of the maps in its file; see staysInFile().
+bool anyMapStaysInFile(const Scene& scene, std::uint64_t memory_limit = 0);
+
 /// To look at meanwhile: like loadSceneMaps(), but with loadCoarseHeightmap() in place of each map that has yet to be
 /// surveyed.
 SceneMaps loadCoarseMaps(const Scene& scene);
