@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "geo/blockcache.h"
 #include "geo/fileidentity.h"
 #include "geo/gdalhead.h"
 #include "geo/gdalwindows.h"
@@ -60,6 +61,7 @@ class GdalLargeMap : public LargeMap {
           head_(std::move(head)),
           coding_(codingOf(head_, head_.placed.rows > file_height_)),
           files_(filesOf(first->file)),
+          block_(first->block),
           handles_(std::move(first), [this] { return reopen(); }) {
         handles_.with([&](const Handle& handle) {
             float last = 0.0f;  // texel of the file, which is there when the file is whole
@@ -139,11 +141,16 @@ class GdalLargeMap : public LargeMap {
         if (placed.mirrored) of_file.x = placed.columns - window.x - window.width;
         if (placed.flipped) of_file.y = file_height_ - of_file.y - of_file.height;
         Sample* known = to + (top - window.y) * width;
-        handles_.with([&](const Handle& handle) {
-            forPieces(of_file, handle.block, kPieceTexels, [&](const Window& piece) {
-                readPiece(handle, piece, known + (piece.y - of_file.y) * width + (piece.x - of_file.x), width);
+        const auto placeOf = [&](const Window& piece) {
+            return known + (piece.y - of_file.y) * width + (piece.x - of_file.x);
+        };
+        if (sharesBlocks(of_file))
+            forPieces(of_file, block_, 1, [&](const Window& piece) { copyPiece(piece, placeOf(piece), width); });
+        else
+            handles_.with([&](const Handle& handle) {
+                forPieces(of_file, block_, kPieceTexels,
+                          [&](const Window& piece) { readPiece(handle, piece, placeOf(piece), width); });
             });
-        });
         if (placed.mirrored) mirrorRows(known, of_file.width, of_file.height);
         if (placed.flipped) flipRows(known, of_file.width, of_file.height);
     }
@@ -170,6 +177,32 @@ class GdalLargeMap : public LargeMap {
         });
         if (placed.mirrored) mirrorRows(band, columns, height);
         if (placed.flipped) flipRows(band, columns, height);
+    }
+
+    /// Whether a window is likely to have blocks in common with those beside it, which are worth keeping.
+    bool sharesBlocks(const Window& window) const {
+        return std::int64_t(window.width) * window.height <= kPieceTexels &&
+               std::int64_t(block_.width) * block_.height <= kPieceTexels;
+    }
+
+    /// Of a part of one block, by way of the whole one.
+    template <typename Sample>
+    void copyPiece(const Window& piece, Sample* to, std::ptrdiff_t stride) const {
+        const std::int64_t across = (file_width_ + block_.width - 1) / block_.width;
+        const int column = piece.x / block_.width, row = piece.y / block_.height;
+        Window whole{column * block_.width, row * block_.height, block_.width, block_.height};
+        whole.width = std::min(whole.width, file_width_ - whole.x);
+        whole.height = std::min(whole.height, file_height_ - whole.y);
+        const BlockCache::Samples samples = blocks_.get(row * across + column, [&] {
+            std::vector<std::byte> read(std::size_t(whole.width) * std::size_t(whole.height) * sizeof(Sample));
+            handles_.with([&](const Handle& handle) {
+                readPiece(handle, whole, reinterpret_cast<Sample*>(read.data()), whole.width);
+            });
+            return read;
+        });
+        const Sample* from = reinterpret_cast<const Sample*>(samples->data());
+        from += std::ptrdiff_t(piece.y - whole.y) * whole.width + (piece.x - whole.x);
+        for (int j = 0; j < piece.height; ++j) std::copy_n(from + j * whole.width, piece.width, to + j * stride);
     }
 
     /// `to` has rows of `stride` samples.
@@ -209,6 +242,8 @@ class GdalLargeMap : public LargeMap {
     MapHead head_;
     Coding coding_;
     std::vector<std::filesystem::path> files_;
+    Block block_;
+    mutable BlockCache blocks_;
     mutable Handles handles_;
 };
 
@@ -248,7 +283,7 @@ std::shared_ptr<const LargeMap> openWindows(const PlacedFile& file, std::optiona
     if (!head.sample.isExact())
         head.map.notices.push_back({Notice::Kind::Note, open.name() + ": values that need more than the 24 bits of a "
                                                                       "float are rounded"});
-    constexpr GIntBig kCacheBytes = 64 << 20;
+    constexpr GIntBig kCacheBytes = 48 << 20;
     g.GDALSetCacheMax64(kCacheBytes);
     return std::make_shared<GdalLargeMap>(std::move(handle), std::move(head));
 }

@@ -7,6 +7,7 @@
 
 #include "base/atomicfile.h"
 #include "base/error.h"
+#include "base/parallel.h"
 #include "image/picture.h"
 
 namespace dsphere {
@@ -35,11 +36,14 @@ std::vector<std::uint8_t> encoded(const Image& image, const Tone& tone) {
     const char* const names[] = {"R", "G", "B"};
     for (std::size_t c = 0; c < 3; ++c) {
         const std::vector<float>& plane = image.at(names[c]).floats();
-        for (std::size_t k = 0; k < plane.size(); ++k) {
-            const double cover = alpha ? double(alpha->floats()[k]) : 1.0;
-            const double light = cover > 0.0 ? double(plane[k]) / cover : 0.0;
-            bytes[channels * k + c] = toSrgb(toneMapped(tone.curve, gain * light));
-        }
+        const std::size_t width = std::size_t(image.data.width());
+        parallelFor(std::size_t(image.data.height()), [&](std::size_t row) {
+            for (std::size_t k = row * width; k < (row + 1) * width; ++k) {
+                const double cover = alpha ? double(alpha->floats()[k]) : 1.0;
+                const double light = cover > 0.0 ? double(plane[k]) / cover : 0.0;
+                bytes[channels * k + c] = toSrgb(toneMapped(tone.curve, gain * light));
+            }
+        });
     }
     for (std::size_t k = 0; alpha && k < image.pixelCount(); ++k)
         bytes[channels * k + 3] = std::uint8_t(255.0 * std::clamp(double(alpha->floats()[k]), 0.0, 1.0) + 0.5);
