@@ -38,23 +38,76 @@ real tileSample(const MapData map, const ivec3 start, const int column) {
     return wide ? uintBitsToFloat(word) : real(signed_code);
 }
 
-// cornersAt() of a map in tiles.
-vec4 tileCorners(const MapData map, const ivec2 cell) {
+const int kTileMargin = kTiles == 2 ? TILE_MARGIN : 0;
+
+// Where a cell's north-west node lies in the tiles image: its row's tile begins at the column, in words, that x is. Of an
+// absent tile, which is noted: somewhere.
+ivec3 tilePlace(const MapData map, const ivec2 cell, OUT(bool) present) {
     int side = 1 << map.tile_shift;
     ivec2 tile = ivec2(cell.x >> map.tile_shift, cell.y >> map.tile_shift);
     uint place = imageLoad(tiles, ivec3(tile.x, map.table_y + tile.y, 0)).x;
-    bool present = place != NO_TILE;
+    present = place != NO_TILE;
     if (!present && absent_tile < 0) absent_tile = map.first_tile + tile.y * ((map.width + side - 1) >> map.tile_shift) + tile.x;
     place = present ? place : 0u;
-    ivec2 within = ivec2(cell.x & (side - 1), cell.y & (side - 1));
-    ivec3 north = ivec3(int(place & 255u) * map.tile_words, map.tiles_y + int(place >> 8 & 255u) * (side + 1) + within.y,
-                        int(place >> 16));
+    int rows_above = int(place >> 8 & 255u) * (side + 1 + 2 * kTileMargin) + kTileMargin;
+    return ivec3(int(place & 255u) * map.tile_words, map.tiles_y + rows_above + (cell.y & (side - 1)), int(place >> 16));
+}
+
+// A cell's column in its tile's rows.
+int columnInTile(const MapData map, const ivec2 cell) {
+    return (cell.x & ((1 << map.tile_shift) - 1)) + kTileMargin;
+}
+
+// cornersAt() of a map in tiles.
+vec4 tileCorners(const MapData map, const ivec2 cell) {
+    bool present;
+    ivec3 north = tilePlace(map, cell, present);
     ivec3 south = north + ivec3(0, 1, 0);
-    vec4 corners = vec4(tileSample(map, north, within.x), tileSample(map, north, within.x + 1),
-                        tileSample(map, south, within.x), tileSample(map, south, within.x + 1));
+    int column = columnInTile(map, cell);
+    vec4 corners = vec4(tileSample(map, north, column), tileSample(map, north, column + 1),
+                        tileSample(map, south, column), tileSample(map, south, column + 1));
     if (cell.y == 0) corners = vec4(map.north_pole, map.north_pole, corners.z, corners.w);
     if (cell.y == map.rows - 1) corners = vec4(corners.x, corners.y, map.south_pole, map.south_pole);
     return present ? corners : vec4(uintBitsToFloat(0x7fc00000u));
+}
+
+// Stored values of the nodes about a cell: the rows above it, of its north and south corners, and below, from one column
+// before it to one behind.
+struct Controls {
+    vec4 above, north, south, below;
+};
+
+vec4 tileControls(const MapData map, const ivec3 row, const int column) {
+    return vec4(tileSample(map, row, column - 1), tileSample(map, row, column), tileSample(map, row, column + 1),
+                tileSample(map, row, column + 2));
+}
+
+// Of a map in tiles, as a spline has them: beyond the first and last row of texels they repeat (so does the file, as read);
+// beyond a pole of a gridline map, whose row holds the pole's value, they are mirrored through it.
+Controls controlsAt(const MapData map, const ivec2 cell) {
+    bool present;
+    ivec3 row = tilePlace(map, cell, present);
+    int column = columnInTile(map, cell);
+    Controls of;
+    of.above = tileControls(map, row - ivec3(0, 1, 0), column);
+    of.north = tileControls(map, row, column);
+    of.south = tileControls(map, row + ivec3(0, 1, 0), column);
+    of.below = tileControls(map, row + ivec3(0, 2, 0), column);
+    vec4 north_pole = vec4(real(map.north_pole));
+    vec4 south_pole = vec4(real(map.south_pole));
+    bool gridline = map.caps == 0;
+    if (gridline && cell.y == 0) {
+        of.north = north_pole;
+        of.above = real(2) * north_pole - of.south;
+    }
+    if (gridline && cell.y == 1) of.above = north_pole;
+    if (gridline && cell.y == map.rows - 1) {
+        of.south = south_pole;
+        of.below = real(2) * south_pole - of.north;
+    }
+    if (gridline && cell.y == map.rows - 2) of.below = south_pole;
+    if (!present) of.north = vec4(uintBitsToFloat(0x7fc00000u));
+    return of;
 }
 
 // Stored values at the corners of a cell: north-west, north-east, south-west, south-east.

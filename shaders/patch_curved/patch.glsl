@@ -1,6 +1,6 @@
 // Displaced spheres whose heights are not bilinear: a bicubic spline, or ripples in closed form; and bilinear ones that
 // share a scene with them. Expects surface.glsl, kSurfaces (a bit per SURFACE_ of the scene: the others are compiled away)
-// and the resource function nodeAt(map, column, row).
+// and the resource functions nodeAt(map, column, row) and controlsAt(map, cell).
 
 const bool kCurved = true;
 
@@ -44,13 +44,68 @@ vec4 cubicOf(const real start, const real rise, const real slope_0, const real s
     return vec4(start, slope_0, real(3) * rise - (slope_0 + slope_0 + slope_1), slope_0 + slope_1 - (rise + rise));
 }
 
-// Of the cell's corners: value, slope eastward, slope southward, twist. Linear in v within a cap.
-Patch splinePatch(const MapData map, const real scale, const ivec2 cell) {
+// Of a cell's corners: value, slope eastward, slope southward, twist.
+struct SplineCorners {
+    vec4 nw, ne, sw, se;
+};
+
+// At the middle of 3x3 control points; seen from that, so that rounding is of their differences.
+vec4 splineNode(const vec3 above, const vec3 middle, const vec3 below) {
+    vec3 north = above - vec3(middle.y);
+    vec3 here = middle - vec3(middle.y);
+    vec3 south = below - vec3(middle.y);
+    vec3 value = (north + real(4) * here + south) / real(6);
+    vec3 slope = real(0.5) * (south - north);
+    return vec4(middle.y + (value.x + real(4) * value.y + value.z) / real(6), real(0.5) * (value.z - value.x),
+                (slope.x + real(4) * slope.y + slope.z) / real(6), real(0.5) * (slope.z - slope.x));
+}
+
+// Of a map in tiles, which has no image of nodes.
+SplineCorners tileSplineCorners(const MapData map, const ivec2 cell) {
+    Controls of = controlsAt(map, cell);
+    vec3 above = vec3(of.above.x, of.above.y, of.above.z);
+    vec3 north = vec3(of.north.x, of.north.y, of.north.z);
+    vec3 south = vec3(of.south.x, of.south.y, of.south.z);
+    vec3 below = vec3(of.below.x, of.below.y, of.below.z);
+    SplineCorners corners;
+    corners.nw = splineNode(above, north, south);
+    corners.sw = splineNode(north, south, below);
+    above = vec3(of.above.y, of.above.z, of.above.w);
+    north = vec3(of.north.y, of.north.z, of.north.w);
+    south = vec3(of.south.y, of.south.z, of.south.w);
+    below = vec3(of.below.y, of.below.z, of.below.w);
+    corners.ne = splineNode(above, north, south);
+    corners.se = splineNode(north, south, below);
+    bool texel = map.caps != 0;
+    if (texel && cell.y == 0) {
+        corners.nw = vec4(real(map.north_pole), real(0), real(0), real(0));
+        corners.ne = corners.nw;
+    }
+    if (texel && cell.y == map.rows - 1) {
+        corners.sw = vec4(real(map.south_pole), real(0), real(0), real(0));
+        corners.se = corners.sw;
+    }
+    return corners;
+}
+
+SplineCorners splineCorners(const MapData map, const ivec2 cell) {
+    if (kTiles != 0 && map.tile_shift != 0) return tileSplineCorners(map, cell);
     int next = cell.x + 1 == map.width ? 0 : cell.x + 1;
-    vec4 nw = nodeAt(map, cell.x, cell.y);
-    vec4 ne = nodeAt(map, next, cell.y);
-    vec4 sw = nodeAt(map, cell.x, cell.y + 1);
-    vec4 se = nodeAt(map, next, cell.y + 1);
+    SplineCorners corners;
+    corners.nw = nodeAt(map, cell.x, cell.y);
+    corners.ne = nodeAt(map, next, cell.y);
+    corners.sw = nodeAt(map, cell.x, cell.y + 1);
+    corners.se = nodeAt(map, next, cell.y + 1);
+    return corners;
+}
+
+// Linear in v within a cap.
+Patch splinePatch(const MapData map, const real scale, const ivec2 cell) {
+    SplineCorners corners = splineCorners(map, cell);
+    vec4 nw = corners.nw;
+    vec4 ne = corners.ne;
+    vec4 sw = corners.sw;
+    vec4 se = corners.se;
     real north = ne.x - nw.x;
     vec4 down = cubicOf(sw.x - nw.x, (se.x - sw.x) - north, sw.y - nw.y, se.y - ne.y);
     bool in_cap = cell.y < map.cap_rows || cell.y >= map.rows - map.cap_rows;

@@ -94,7 +94,7 @@ void HostScene::makeSplines() {
     for (const PackedRelief& relief : packed_->reliefs) {
         const NodeGrid& nodes = *packed_->nodes[std::size_t(relief.map)];
         SplineRows& rows = splines_[std::size_t(relief.map)];
-        if (!readsSpline(relief) || nodes.map().ripples || !rows.empty()) continue;
+        if (!readsSpline(relief) || nodes.map().ripples || nodes.map().tiled || !rows.empty()) continue;
         const SplineNodes spline(nodes);
         rows.resize(std::size_t(nodes.rows()) + 1);
         parallelFor(rows.size(), [&](std::size_t j) { rows[j] = spline.row(int(j)); });

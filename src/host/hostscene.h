@@ -39,7 +39,9 @@ class HostScene {
         const Words& words = images_[std::size_t(layer)];
         return words.values[std::size_t(y) * std::size_t(words.width) + std::size_t(x)];
     }
-    const std::array<float, 4>& node(int x, int y, int layer) const {
+    SplineNodes::Node node(int x, int y, int layer) const {
+        const NodeGrid& nodes = *packed_->nodes[std::size_t(layer)];
+        if (nodes.map().tiled) return SplineNodes(nodes).at(x, y);
         return splines_[std::size_t(layer)][std::size_t(y)][std::size_t(x)];
     }
 
@@ -61,7 +63,7 @@ class HostScene {
     const PackedScene* packed_;
     std::vector<std::vector<layout::vec4>> edges_;  ///< four rows a relief, then two rows an object with an image
     std::vector<Words> images_;                     ///< the codes' light, then the scene's images
-    std::vector<SplineRows> splines_;               ///< one a map, empty where no relief reads it
+    std::vector<SplineRows> splines_;  ///< one a map, empty where no relief reads it or its map is in tiles
 };
 
 }  // namespace dsphere::host

@@ -87,7 +87,7 @@ uvec4 imageLoad(const Images& image, const ivec3& at) {
 }
 
 [[maybe_unused]] vec4 imageLoad(const Nodes& image, const ivec3& at) {
-    const std::array<float, 4>& node = image.scene.node(at.x, at.y, at.z);
+    const std::array<float, 4> node = image.scene.node(at.x, at.y, at.z);
     return vec4(node[0], node[1], node[2], node[3]);
 }
 

@@ -174,15 +174,20 @@ double Surface::evaluationError(double row0, double row1) const {
 CellSlopes Surface::steepest(int j) const {
     if (ripples_) return {kPi / PatchGrid::kCellsPerRipple, kPi / PatchGrid::kCellsPerRipple};
     double across = 0.0, down = 0.0;
+    const int reach = spline_ ? 1 : 0, first = std::max(j - reach, 0), last = std::min(j + reach, grid_.rows() - 1);
     if (const BlockExtremes* blocks = grid_.blocks()) {  // no two values of a block differ by more
-        for (int i = 0; i < blocks->columns; ++i) {
-            const std::size_t at = blocks->index(i, j >> blocks->shift);
-            across = std::max(across, double(blocks->greatest[at]) - double(blocks->least[at]));
+        double both = 0.0;
+        for (int bj = first >> blocks->shift; bj <= last >> blocks->shift; ++bj) {
+            double range = 0.0;
+            for (int i = 0; i < blocks->columns; ++i) {
+                const std::size_t at = blocks->index(i, bj);
+                range = std::max(range, double(blocks->greatest[at]) - double(blocks->least[at]));
+            }
+            both += range;
         }
-        return {across, across};
+        return {both, both};
     }
-    const int reach = spline_ ? 1 : 0;
-    for (int k = std::max(j - reach, 0); k <= std::min(j + reach, grid_.rows() - 1); ++k) {
+    for (int k = first; k <= last; ++k) {
         double row_down = 0.0;
         for (int i = 0; i < grid_.columns(); ++i) {
             const Patch p = grid_.patch(i, k);

@@ -21,8 +21,8 @@ class AbsentList {
     bool active() const { return !pool_.empty(); }
     /// Empties the list: before the first dispatch of a submission.
     void reset(gpu::Batch& batch) const;
-    /// After a submission. `redo(count)` submits the pipelines that take the listed ones, `count` of them, and waits; it
-    /// must not reset(). Throws Error (Failure) where the tiles of a single one find no room.
+    /// After a submission. `redo(count)` submits the pipelines that take the listed ones, `count` of them, and waits;
+    /// it must not reset(). Throws Error (Failure) where the tiles of a single one find no room.
     void settle(const std::function<void(std::uint32_t count)>& redo);
 
   private:

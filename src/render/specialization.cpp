@@ -34,7 +34,7 @@ Specialization specializationOf(const SceneTraits& traits, float stride, const M
     specialization[SPEC_ONLY_DISPLACED] = std::uint32_t(traits.only_displaced);
     specialization[SPEC_ONLY_PLAIN] = std::uint32_t(traits.only_plain);
     specialization[SPEC_TURNS] = 1;
-    specialization[SPEC_TILES] = traits.tiles ? 1 : 0;
+    specialization[SPEC_TILES] = traits.tiles ? (traits.curved() ? 2 : 1) : 0;
     specialization[SPEC_PLANES] = planes;
     specialization[SPEC_IMAGES] = traits.images ? 1 : 0;
     specialization[SPEC_SURFACES] = traits.surfaces;

@@ -33,9 +33,9 @@ int samplesOf(geo::SampleKind kind) {
     return SAMPLES_FLOAT;
 }
 
-/// Words of a tile's row of side + 1 samples.
-int wordsOf(geo::SampleKind kind, int side) {
-    return kind == geo::SampleKind::Float32 ? side + 1 : side / 2 + 1;
+/// Words of that many samples.
+int wordsOf(geo::SampleKind kind, int samples) {
+    return kind == geo::SampleKind::Float32 ? samples : (samples + 1) / 2;
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ std::uint32_t TilePool::Layout::width() const {
 }
 
 std::uint32_t TilePool::Layout::height() const {
-    return std::uint32_t(table_rows + slots_y * (side() + 1));
+    return std::uint32_t(table_rows + slots_y * nodes());
 }
 
 TilePool::Layout TilePool::layoutOf(const gpu::Device& device, const PackedScene& packed) {
@@ -60,9 +60,10 @@ TilePool::Layout TilePool::layoutOf(const gpu::Device& device, const PackedScene
         if (packed.traits.tiles) layout.layers = int(kLeastLayers);
         return layout;
     }
+    layout.margin = packed.traits.curved() ? TILE_MARGIN : 0;
     std::uint32_t tiles = 0;
     for (Map& map : layout.maps) {
-        layout.words = std::max(layout.words, wordsOf(map.map->tiled->kind(), layout.side()));
+        layout.words = std::max(layout.words, wordsOf(map.map->tiled->kind(), layout.nodes()));
         map.across = (map.nodes->width() + layout.side() - 1) >> layout.shift;
         map.down = (map.nodes->rows() + layout.side() - 1) >> layout.shift;
         map.first_tile = tiles;
@@ -79,7 +80,8 @@ TilePool::Layout TilePool::layoutOf(const gpu::Device& device, const PackedScene
     layout.slots_x = int(std::min<std::uint64_t>(slots, kSlotsAcross));
     layout.slots_y = int(std::clamp<std::uint64_t>(slots / (kLeastLayers * kSlotsAcross), 1, kSlotsDown));
     const std::uint64_t of_layer = std::uint64_t(layout.slots_x) * std::uint64_t(layout.slots_y);
-    layout.layers = int(std::clamp<std::uint64_t>(slots / of_layer, kLeastLayers, device.limits().max_image_array_layers));
+    layout.layers =
+        int(std::clamp<std::uint64_t>(slots / of_layer, kLeastLayers, device.limits().max_image_array_layers));
     return layout;
 }
 
@@ -118,12 +120,13 @@ std::uint32_t& TilePool::entryOf(std::uint32_t tile) {
 std::vector<std::uint32_t> TilePool::readTile(std::uint32_t tile) {
     const Map& map = mapOf(tile);
     const TiledHeights& heights = *map.map->tiled;
-    const int number = int(tile - map.first_tile), side = layout_.side(), edge = side + 1;
+    const int number = int(tile - map.first_tile), side = layout_.side(), edge = layout_.nodes();
     // Row 0 of the grid's nodes is the north pole of a map of texels.
-    const int row = number / map.across * side - (map.nodes->halfCaps() ? 1 : 0);
+    const int row = number / map.across * side - (map.nodes->halfCaps() ? 1 : 0) - layout_.margin;
+    const int column = number % map.across * side + map.nodes->width() - layout_.margin;
     const int bytes = geo::bytesOf(heights.kind());
     std::vector<std::byte> samples(std::size_t(edge) * std::size_t(edge) * std::size_t(bytes));
-    heights.read(number % map.across * side, row, edge, edge, samples.data());
+    heights.read(column, row, edge, edge, samples.data());
     std::vector<std::uint32_t> words(std::size_t(layout_.words) * std::size_t(edge));
     const std::size_t row_bytes = std::size_t(edge) * std::size_t(bytes);
     for (std::size_t j = 0; j < std::size_t(edge); ++j)
@@ -134,7 +137,7 @@ std::vector<std::uint32_t> TilePool::readTile(std::uint32_t tile) {
 void TilePool::uploadTile(std::uint32_t slot, const std::vector<std::uint32_t>& words) {
     const std::uint32_t across = std::uint32_t(layout_.slots_x), down = std::uint32_t(layout_.slots_y);
     const std::uint32_t x = slot % across, y = slot / across % down, layer = slot / (across * down);
-    const std::uint32_t edge = std::uint32_t(layout_.side() + 1);
+    const std::uint32_t edge = std::uint32_t(layout_.nodes());
     image_.upload(layer, x * std::uint32_t(layout_.words), std::uint32_t(layout_.table_rows) + y * edge,
                   std::uint32_t(layout_.words), edge, words.data());
     entryOf(slots_[slot].tile) = x | y << 8 | layer << 16;

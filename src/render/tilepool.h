@@ -59,13 +59,14 @@ class TilePool {
     };
     struct Layout {
         std::vector<Map> maps;
-        int shift = 0, words = 1, table_rows = 0, table_columns = 1;
+        int shift = 0, margin = 0, words = 1, table_rows = 0, table_columns = 1;
         int slots_x = 1, slots_y = 1, layers = 1;
 
-        int side() const { return 1 << shift; }
+        int side() const { return 1 << shift; }                ///< cells
+        int nodes() const { return side() + 1 + 2 * margin; }  ///< along an edge of a tile
         std::uint32_t width() const;
         std::uint32_t height() const;
-        std::uint64_t tileBytes() const { return std::uint64_t(words) * std::uint64_t(side() + 1) * 4; }
+        std::uint64_t tileBytes() const { return std::uint64_t(words) * std::uint64_t(nodes()) * 4; }
     };
 
     TilePool(gpu::Device& device, Layout layout);

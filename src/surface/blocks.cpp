@@ -147,6 +147,33 @@ BlockExtremes measureBlocks(const NodeGrid& nodes, Filter filter) {
     return blocks;
 }
 
+// A cell of the spline depends on the 4x4 nodes at its corners and around: on cells at most one away, which are in this
+// block or a neighbour. Value and slopes are means of those of these control points. But slopes eastward are counted in
+// the cell's own row, and become steeper than those of a row nearer the equator by what its circle is shorter: three
+// times in the second row from a pole, 17/15 in the ninth; and the greatest slopes eastward and southward may be those
+// of two cells. Beside a pole the mean of two rows' circles has up to 4/3 of the slope southward.
+BlockExtremes splineBlocks(const BlockExtremes& of_nodes, const NodeGrid& nodes) {
+    constexpr float kNearPoles = 3.3f, kElsewhere = 1.6f;  // hypot(3, 4/3), hypot(17/15, 1)
+    constexpr int kRowsNearPoles = 8;
+    BlockExtremes blocks = emptyBlocks(nodes, of_nodes.shift);
+    parallelFor(std::size_t(blocks.rows), [&](std::size_t row) {
+        const int bj = int(row), first = bj << blocks.shift, end = std::min((bj + 1) << blocks.shift, nodes.rows());
+        const bool near_pole = first < kRowsNearPoles || end > nodes.rows() - kRowsNearPoles;
+        for (int bi = 0; bi < blocks.columns; ++bi) {
+            const std::size_t at = blocks.index(bi, bj);
+            for (int j = std::max(bj - 1, 0); j <= std::min(bj + 1, blocks.rows - 1); ++j)
+                for (int i : {bi == 0 ? blocks.columns - 1 : bi - 1, bi, bi + 1 == blocks.columns ? 0 : bi + 1}) {
+                    const std::size_t from = of_nodes.index(i, j);
+                    blocks.least[at] = std::min(blocks.least[at], of_nodes.least[from]);
+                    blocks.greatest[at] = std::max(blocks.greatest[at], of_nodes.greatest[from]);
+                    blocks.steepest[at] = std::max(blocks.steepest[at], of_nodes.steepest[from]);
+                }
+            blocks.steepest[at] *= near_pole ? kNearPoles : kElsewhere;
+        }
+    });
+    return blocks;
+}
+
 RowSlopes::RowSlopes(const NodeGrid& nodes, int row) {
     const double north_sine = row == 0 ? 1.0 : std::sin(nodes.colatitude(row));
     const double south_sine = row + 1 == nodes.rows() ? 1.0 : std::sin(nodes.colatitude(row + 1));

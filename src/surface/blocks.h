@@ -2,7 +2,7 @@
 
 // What is known of square blocks of a grid's cells: least and greatest stored value, and the steepest slope.
 
-#include "surface/nodes.h"
+#include "surface/cubecells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +27,22 @@ BlockExtremes emptyBlocks(const NodeGrid& nodes, int shift);
 /// Of the surface that `filter` makes of a map in memory (of a spline by its Bezier points), or of ripples. Uses all
 /// cores.
 BlockExtremes measureBlocks(const NodeGrid& nodes, Filter filter);
+
+/// Of the B-spline whose control points are the nodes, from the blocks of the bilinear surface through them: not the
+/// least and greatest that it has, but what its control points have.
+BlockExtremes splineBlocks(const BlockExtremes& of_nodes, const NodeGrid& nodes);
+
+/// Calls `visit(index)` for each block that has a cell among the nodes of a box.
+template <typename Visit>
+void visitBlocks(const BlockExtremes& blocks, const NodeGrid& nodes, const NodeBox& box, const Visit& visit) {
+    const auto visitColumns = [&](int first, int end) {
+        for (int bj = box.top >> blocks.shift; bj <= (box.bottom - 1) >> blocks.shift; ++bj)
+            for (int bi = first >> blocks.shift; bi <= (end - 1) >> blocks.shift; ++bi) visit(blocks.index(bi, bj));
+    };
+    const int end = box.first + box.count;
+    visitColumns(box.first, std::min(end, nodes.width()));
+    if (end > nodes.width()) visitColumns(0, end - nodes.width());
+}
 
 /// What turns differences between the nodes of one row of cells into slopes, per radian of arc. In longitude that is at
 /// most the greatest difference over the shorter of the row's two circles. In a row that touches a pole it is (D theta'

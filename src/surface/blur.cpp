@@ -15,7 +15,7 @@ constexpr std::size_t kLanes = 16;
 
 /// Weights of the texels at -r ... r.
 std::vector<double> makeKernel(double sigma) {
-    const auto radius = std::ptrdiff_t(std::ceil(3.0 * sigma));
+    const std::ptrdiff_t radius = blurRadius(sigma);
     std::vector<double> kernel;
     double sum = 0.0;
     for (std::ptrdiff_t k = -radius; k <= radius; ++k) {
@@ -59,6 +59,10 @@ void blurColumns(const std::vector<double>& kernel, float* samples, std::size_t 
 
 }  // namespace
 
+std::ptrdiff_t blurRadius(double sigma) {
+    return std::ptrdiff_t(std::ceil(3.0 * sigma));
+}
+
 void blurMap(std::vector<float>& samples, int width, int height, double sigma) {
     assert(sigma > 0.0 && samples.size() == std::size_t(width) * std::size_t(height));
     const std::vector<double> kernel = makeKernel(sigma);
@@ -68,6 +72,26 @@ void blurMap(std::vector<float>& samples, int width, int height, double sigma) {
         const std::size_t left = block * kLanes;
         blurColumns(kernel, &samples[left], columns, rows, std::min(kLanes, columns - left));
     });
+}
+
+void blurWindow(std::vector<float>& window, int width, int height, double sigma, float* to) {
+    const std::vector<double> kernel = makeKernel(sigma);
+    const std::size_t margin = kernel.size() - 1, stride = std::size_t(width), rows = std::size_t(height);
+    assert(stride > margin && rows > margin && window.size() == stride * rows);
+    const std::size_t columns = stride - margin;
+    window.resize(window.size() + kLanes);
+    std::vector<float> along(columns * rows + kLanes);
+    const auto eachLanes = [columns](const auto& visit) {
+        for (std::size_t i = 0; i < columns; i += kLanes) visit(i, std::min(kLanes, columns - i));
+    };
+    for (std::size_t j = 0; j < rows; ++j)
+        eachLanes([&](std::size_t i, std::size_t lanes) {
+            convolve(kernel, &window[j * stride + i], 1, &along[j * columns + i], lanes);
+        });
+    for (std::size_t j = 0; j < rows - margin; ++j)
+        eachLanes([&](std::size_t i, std::size_t lanes) {
+            convolve(kernel, &along[j * columns + i], columns, to + j * columns + i, lanes);
+        });
 }
 
 }  // namespace dsphere

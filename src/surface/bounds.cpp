@@ -114,6 +114,31 @@ void fillFromSurvey(int side, const Relief& relief, const CellExtremes& extremes
     });
 }
 
+/// A box of nodes and those around it.
+NodeBox grown(const NodeBox& box, const NodeGrid& nodes) {
+    const int first = box.first == 0 ? nodes.width() - 1 : box.first - 1;
+    return {first, std::min(box.count + 2, nodes.width()), std::max(box.top - 1, 0),
+            std::min(box.bottom + 1, nodes.rows())};
+}
+
+/// Of the B-spline of a map that stays in its file: no cell exceeds its control points, nor they the blocks that hold
+/// them.
+template <typename Set>
+void fillFromControls(int side, const Relief& relief, const NodeGrid& nodes, const BlockExtremes& blocks,
+                      const Set& set) {
+    const CubeCells cells(side);
+    const bool up = relief.scale >= 0.0;
+    parallelFor(std::size_t(side), [&](std::size_t n) {
+        cells.visitLine(int(n), [&](int face, int i, int j, const Footprint& footprint) {
+            float highest = -std::numeric_limits<float>::infinity();
+            visitBlocks(blocks, nodes, grown(nodesUnder(nodes, footprint), nodes), [&](std::size_t at) {
+                highest = std::max(highest, up ? blocks.greatest[at] : -blocks.least[at]);
+            });
+            set(face, i, j, std::abs(relief.scale) * double(highest));
+        });
+    });
+}
+
 template <typename Set>
 void fillFromNodes(int side, const Relief& relief, const NodeGrid& nodes, const Set& set) {
     const CubeCells cells(side);
@@ -149,12 +174,19 @@ Bounds buildBounds(const NodeGrid& nodes, const Relief& relief) {
             std::nextafter(float(bound * bound), std::numeric_limits<float>::infinity());
     };
     const TiledHeights* const tiled = nodes.map().tiled.get();
-    if (tiled)
+    const bool spline = relief.filter == Filter::BSpline;
+    if (tiled && spline)
+        fillFromControls(bounds.side, relief, nodes, tiled->survey().blocks, set);
+    else if (tiled)
         fillFromSurvey(bounds.side, relief, tiled->survey().cells, set);
     else
         fillFromNodes(bounds.side, relief, nodes, set);
     parallelFor(6, [&](std::size_t face) { fillCoarser(bounds, int(face)); });
-    fillHorizons(bounds, nodes, relief, tiled ? tiled->survey().blocks : measureBlocks(nodes, relief.filter));
+    if (tiled && !spline)
+        fillHorizons(bounds, nodes, relief, tiled->survey().blocks);
+    else
+        fillHorizons(bounds, nodes, relief,
+                     tiled ? splineBlocks(tiled->survey().blocks, nodes) : measureBlocks(nodes, relief.filter));
     return bounds;
 }
 

@@ -10,6 +10,7 @@
 #include "base/limits.h"
 #include "geo/readmap.h"
 #include "surface/blur.h"
+#include "surface/blurredmap.h"
 #include "surface/fill.h"
 #include "surface/heldmap.h"
 #include "surface/preparemap.h"
@@ -164,7 +165,8 @@ namespace {
 std::uint64_t surveyKey(const geo::LargeMap& source, const Heightmap& map, const DisplacedSphere& shape) {
     const std::string text = fmt::format("{} {} {} {} {} {}", source.identity(), int(source.kind()), map.width,
                                          map.height, int(map.registration), map.longitude_origin) +
-                             (shape.nodata ? fmt::format(" nodata {}", *shape.nodata) : "");
+                             (shape.nodata ? fmt::format(" nodata {}", *shape.nodata) : "") +
+                             (shape.blur > 0.0 ? fmt::format(" blur {}", shape.blur) : "");
     Hash hash;
     hash.bytes(text.data(), text.size());
     return hash.value();
@@ -173,6 +175,8 @@ std::uint64_t surveyKey(const geo::LargeMap& source, const Heightmap& map, const
 }  // namespace
 
 float Heightmap::tiledAt(int i, int j) const {
+    const bool pole_row = registration == Registration::Gridline && (j == 0 || j == height - 1);
+    if (pole_row) return j == 0 ? north_pole : south_pole;
     return tiled->at(i, j);
 }
 
@@ -193,20 +197,24 @@ Heightmap makeTiledHeightmap(std::shared_ptr<const geo::LargeMap> source, const 
         };
         Gaps gaps;
         if (may_lack) gaps = Gaps(*source, Nodata(shape.nodata, source->head().unknown_are_nan), pass(0.0, first_pass));
-        Survey survey = surveyMap(*source, gaps, NodeGrid(map), pass(first_pass, 1.0));
+        const SurveyProgress rest = pass(first_pass, 1.0);
+        Survey survey = shape.blur > 0.0 ? surveyMap(*blurredMap(source, gaps, shape.blur), Gaps(), NodeGrid(map), rest)
+                                         : surveyMap(*source, gaps, NodeGrid(map), rest);
         SurveyCache::keep(key, gaps, survey);
         known.emplace(std::move(gaps), std::move(survey));
     }
+    map.nodata_count = std::size_t(known->first.unknown());
+    if (shape.blur > 0.0) source = blurredMap(std::move(source), std::exchange(known->first, Gaps()), shape.blur);
     auto tiled = std::make_shared<TiledHeights>(std::move(source), std::move(known->first));
-    map.nodata_count = std::size_t(tiled->gaps().unknown());
     const Survey& survey = known->second;
     map.north_pole = survey.north_pole;
     map.south_pole = survey.south_pole;
     map.least = survey.least;
     map.greatest = survey.greatest;
-    warnOfNodata(map.notices, shape,
-                 {survey.least, survey.second_least, survey.greatest, survey.at_least,
-                  std::uint64_t(map.width) * std::uint64_t(map.height)});
+    if (shape.blur == 0.0)  // else no value is a code
+        warnOfNodata(map.notices, shape,
+                     {survey.least, survey.second_least, survey.greatest, survey.at_least,
+                      std::uint64_t(map.width) * std::uint64_t(map.height)});
     tiled->setSurvey(std::move(known->second));
     map.tiled = std::move(tiled);
     return map;
@@ -220,7 +228,7 @@ namespace {
 
 /// Whether the surface can be made of heights in tiles.
 bool takesTiles(const DisplacedSphere& shape) {
-    return shape.filter == Filter::Bilinear && !shape.smooth_normals && shape.blur == 0.0;
+    return shape.blur <= kMostTiledBlur;
 }
 
 bool takesTiles(const RawMap& map) {
@@ -262,6 +270,7 @@ std::optional<Heightmap> loadCoarseHeightmap(const DisplacedSphere& shape) {
     raw.unknown_are_nan = true;
     DisplacedSphere coarse = shape;
     coarse.registration = Registration::Texel;
+    coarse.blur = shape.blur / shrink;
     return makeHeightmap(std::move(raw), coarse);
 }
 

@@ -51,14 +51,14 @@ using MapProgress = std::function<bool(const std::string& path, double share)>;
 /// and -180). An empty map path gives a 1x1 map of 0. Throws Error (InvalidInput): unreadable file, nothing but unknown
 /// texels, gridline registration with fewer than 2 rows.
 ///
-/// A map of more texels than `most_held` stays in its file (`tiled`) where its format and the shape let it: not with a
-/// B-spline's surface or normals, nor blurred. One of more than kWidestHeldMap columns is cut into tiles as well
+/// A map of more texels than `most_held` stays in its file (`tiled`) where its format lets it, and the shape does not
+/// blur it by more than kMostTiledBlur. One of more than kWidestHeldMap columns is cut into tiles as well
 /// (`tiled`), in memory, under the same conditions.
 Heightmap loadHeightmap(const DisplacedSphere& shape, std::uint64_t most_held = geo::kLargeMapTexels,
                         const MapProgress& progress = {});
 
-/// Whether loadHeightmap() leaves the map in its file, as far as the file's head tells. Quick, and without errors: a file
-/// that cannot be read does not stay.
+/// Whether loadHeightmap() leaves the map in its file, as far as the file's head tells. Quick, and without errors: a
+/// file that cannot be read does not stay.
 bool staysInFile(const DisplacedSphere& shape, std::uint64_t most_held = geo::kLargeMapTexels);
 
 /// The map of kCoarseColumns columns that stands in for a map that stays in its file until that is surveyed, which

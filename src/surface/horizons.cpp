@@ -19,19 +19,6 @@ constexpr double kTangentSlack = 1e-4;
 // A start may lie beside its cell by what cells are dilated by.
 constexpr double kBeside = 2.0 * Bounds::kDilation;
 
-/// Calls `visit(block)` for each block that a footprint touches.
-template <typename Visit>
-void visitBlocks(const BlockExtremes& blocks, const NodeGrid& nodes, const Footprint& footprint, const Visit& visit) {
-    const NodeBox box = nodesUnder(nodes, footprint);
-    const auto visitColumns = [&](int first, int end) {
-        for (int bj = box.top >> blocks.shift; bj <= (box.bottom - 1) >> blocks.shift; ++bj)
-            for (int bi = first >> blocks.shift; bi <= (end - 1) >> blocks.shift; ++bi) visit(blocks.index(bi, bj));
-    };
-    const int end = box.first + box.count;
-    visitColumns(box.first, std::min(end, nodes.width()));
-    if (end > nodes.width()) visitColumns(0, end - nodes.width());
-}
-
 /// The greatest radius, in units of R, and slope, |grad r| / r, in each cell of a cube map, or about each.
 struct Extremes {
     CubeGrid radius, slope;
@@ -83,7 +70,7 @@ class Builder {
         const double unit = 1.0 / relief.greatest_radius;
         const auto measure = [&](int face, int i, int j, const Footprint& footprint) {
             double least = std::numeric_limits<double>::infinity(), slope = 0.0;
-            visitBlocks(blocks, nodes, footprint, [&](std::size_t at) {
+            visitBlocks(blocks, nodes, nodesUnder(nodes, footprint), [&](std::size_t at) {
                 const float lowest = relief.scale < 0.0 ? blocks.greatest[at] : blocks.least[at];
                 least = std::min(least, unit * (relief.base + relief.scale * double(lowest)));
                 slope = std::max(slope, double(blocks.steepest[at]));

@@ -13,7 +13,8 @@ namespace {
 /// One row of control points: of the map, or beyond its ends.
 class ControlRow {
   public:
-    ControlRow(const Heightmap& map, int j) : map_(map) {
+    ControlRow() = default;
+    ControlRow(const Heightmap& map, int j) : map_(&map) {
         int last = map.height - 1;
         bool beyond = j < 0 || j > last;
         row_ = std::clamp(j, 0, last);
@@ -23,32 +24,77 @@ class ControlRow {
     }
 
     double at(int i) const {
-        double stored = map_.at(i, row_);
+        double stored = map_->at(i, row_);
         return mirrored_ ? twice_pole_ - stored : stored;
     }
 
   private:
-    const Heightmap& map_;
+    const Heightmap* map_ = nullptr;
     int row_ = 0;
     bool mirrored_ = false;
     double twice_pole_ = 0.0;
 };
 
-/// A row's control points and their slopes southward, summed over the four rows about it.
-struct Columns {
-    std::vector<double> value, slope;
+/// A control point and its slope southward on a parallel, summed over the four rows about it.
+struct ColumnSum {
+    double value = 0.0, slope = 0.0;
+};
 
-    Columns(const Heightmap& map, double map_row) : value(std::size_t(map.width)), slope(std::size_t(map.width)) {
-        int first = std::clamp(int(std::floor(map_row)), 0, std::max(map.height - 1, 0));
-        SplineWeights weights(map_row - first);
-        for (int k = 0; k < 4; ++k) {
-            ControlRow row(map, first - 1 + k);
-            for (int i = 0; i < map.width; ++i) {
-                value[std::size_t(i)] += weights.value[std::size_t(k)] * row.at(i);
-                slope[std::size_t(i)] += weights.slope[std::size_t(k)] * row.at(i);
-            }
-        }
+/// The spline along a row of a grid's nodes, still to be summed over columns.
+class Parallel {
+  public:
+    Parallel(const NodeGrid& nodes, int j) : nodes_(nodes) {
+        const Heightmap& map = nodes.map();
+        const double map_row = nodes.mapRow(j), last = map.height - 1;
+        const bool texel = map.registration == Registration::Texel;
+        cap_ = texel && (map_row < 0.0 || map_row > last);
+        pole_ = map_row < 0.0 ? map.north_pole : map.south_pole;
+        if (cap_) share_ = 2.0 * (map_row < 0.0 ? map_row + 0.5 : last + 0.5 - map_row);
+        per_column_ = double(map.width) / nodes.width();
+        per_row_ = double(texel ? map.height : map.height - 1) * nodes.cellHeight() / kPi;
+        const double on_circle = std::clamp(map_row, 0.0, last);
+        const int first = std::clamp(int(std::floor(on_circle)), 0, std::max(map.height - 1, 0));
+        weights_ = SplineWeights(on_circle - first);
+        for (int k = 0; k < 4; ++k) rows_[std::size_t(k)] = ControlRow(map, first - 1 + k);
     }
+
+    ColumnSum column(int i) const {
+        ColumnSum sum;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const double control = rows_[k].at(i);
+            sum.value += weights_.value[k] * control;
+            sum.slope += weights_.slope[k] * control;
+        }
+        return sum;
+    }
+
+    /// `columnAt(i)`: column(i).
+    template <typename ColumnAt>
+    SplineNodes::Node node(int i, const ColumnAt& columnAt) const {
+        const int width = nodes_.map().width;
+        const double column = nodes_.mapColumn(i);
+        const int first = int(std::floor(column));
+        const SplineWeights weights(column - first);
+        double value = 0.0, east = 0.0, south = 0.0, twist = 0.0;
+        for (int k = 0; k < 4; ++k) {
+            const ColumnSum sum = columnAt(((first - 1 + k) % width + width) % width);
+            const std::size_t w = std::size_t(k);
+            value += weights.value[w] * sum.value;
+            east += weights.slope[w] * sum.value;
+            south += weights.value[w] * sum.slope;
+            twist += weights.slope[w] * sum.slope;
+        }
+        if (cap_) return {float(pole_ + share_ * (value - pole_)), float(share_ * east * per_column_), 0.0f, 0.0f};
+        return {float(value), float(east * per_column_), float(south * per_row_),
+                float(twist * per_column_ * per_row_)};
+    }
+
+  private:
+    const NodeGrid& nodes_;
+    bool cap_ = false;
+    double pole_ = 0.0, share_ = 1.0, per_column_ = 1.0, per_row_ = 1.0;
+    SplineWeights weights_{0.0};
+    std::array<ControlRow, 4> rows_;
 };
 
 }  // namespace
@@ -61,34 +107,18 @@ SplineWeights::SplineWeights(double t) {
 }
 
 std::vector<SplineNodes::Node> SplineNodes::row(int j) const {
-    const Heightmap& map = nodes_.map();
-    double map_row = nodes_.mapRow(j), last = map.height - 1;
-    bool texel = map.registration == Registration::Texel, cap = texel && (map_row < 0.0 || map_row > last);
-    double pole = map_row < 0.0 ? map.north_pole : map.south_pole;
-    double share = cap ? 2.0 * (map_row < 0.0 ? map_row + 0.5 : last + 0.5 - map_row) : 1.0;
-    Columns columns(map, std::clamp(map_row, 0.0, last));
-    double per_column = double(map.width) / nodes_.width();
-    double per_row = double(texel ? map.height : map.height - 1) * nodes_.cellHeight() / kPi;
+    const Parallel parallel(nodes_, j);
+    std::vector<ColumnSum> columns(std::size_t(nodes_.map().width));
+    for (std::size_t i = 0; i < columns.size(); ++i) columns[i] = parallel.column(int(i));
     std::vector<Node> row(std::size_t(nodes_.width()));
-    for (int i = 0; i < nodes_.width(); ++i) {
-        double column = nodes_.mapColumn(i);
-        int first = int(std::floor(column));
-        SplineWeights weights(column - first);
-        double value = 0.0, east = 0.0, south = 0.0, twist = 0.0;
-        for (int k = 0; k < 4; ++k) {
-            std::size_t at = std::size_t(((first - 1 + k) % map.width + map.width) % map.width), w = std::size_t(k);
-            value += weights.value[w] * columns.value[at];
-            east += weights.slope[w] * columns.value[at];
-            south += weights.value[w] * columns.slope[at];
-            twist += weights.slope[w] * columns.slope[at];
-        }
-        if (cap)
-            row[std::size_t(i)] = {float(pole + share * (value - pole)), float(share * east * per_column), 0.0f, 0.0f};
-        else
-            row[std::size_t(i)] = {float(value), float(east * per_column), float(south * per_row),
-                                   float(twist * per_column * per_row)};
-    }
+    for (std::size_t i = 0; i < row.size(); ++i)
+        row[i] = parallel.node(int(i), [&](int column) { return columns[std::size_t(column)]; });
     return row;
+}
+
+SplineNodes::Node SplineNodes::at(int i, int j) const {
+    const Parallel parallel(nodes_, j);
+    return parallel.node(i, [&](int column) { return parallel.column(column); });
 }
 
 std::vector<float> SplineNodes::extremes(bool greatest) const {

@@ -29,6 +29,8 @@ class SplineNodes {
     /// width() nodes, row 0 to rows(). In the caps slopes southward and twists are 0: two rows' difference is what
     /// counts.
     std::vector<Node> row(int j) const;
+    /// One node of row j: also of a map that stays in its file.
+    Node at(int i, int j) const;
 
     /// For each node the greatest (or least) of the Bezier points about it, in all four cells that meet there: over a
     /// cell the spline does not exceed the extremes of its corners. Row-major, rows() + 1 rows.

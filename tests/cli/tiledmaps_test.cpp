@@ -74,6 +74,35 @@ TEST_F(TiledMaps, VerifyHolds) {
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
 }
 
+TEST_F(TiledMaps, BlurredOnesToo) {
+    generate("spikes", "1024,512", "map.tif");
+    expectTheSamePicture({"map.tif", "--blur", "1.5", "--resolution", "96,54", "--spp", "1"});
+}
+
+// A planet under each kind of smooth surface and each registration.
+TEST_F(TiledMaps, SplinesAndSmoothNormalsAreRightToo) {
+    generate("terraces", "1024,512", "map.tif");
+    folder_.write("scene.pbrt", R"(
+        Film "rgb" "integer xresolution" 120 "integer yresolution" 80 "string filename" "out.png"
+        Sampler "independent" "integer pixelsamples" 1
+        LookAt 0 1 4  0 0 0  0 1 0
+        Camera "perspective" "float fov" 40
+        WorldBegin
+        LightSource "distant" "point3 from" [1 1 1] "point3 to" [0 0 0]
+        Shape "displacedsphere" "float radius" 1 "float maxdispl" 10 "string displacementmap" "map.tif"
+          "string filter" "bspline"
+        Translate 1.5 0 0.5
+        Rotate 70 1 0 0
+        Shape "displacedsphere" "float radius" 0.5 "float maxdispl" 20 "string displacementmap" "map.tif"
+          "string registration" "gridline" "string filter" "bspline"
+        Translate -3 0 0
+        Shape "displacedsphere" "float radius" 0.5 "float maxdispl" 20 "string displacementmap" "map.tif"
+          "bool smoothnormals" true
+    )");
+    const Outcome outcome = run({"verify", "scene.pbrt", "--mem-limit", "1M", "--device", "cpu"});
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+}
+
 TEST_F(TiledMaps, BaselinesAreRefused) {
     generate("fractal", "1024,512", "map.tif");
     const Outcome outcome = run({"render", "map.tif", "--marcher", "naive", "--mem-limit", "1M", "-o", "out.png"});

@@ -45,6 +45,15 @@ inline vec4 nodeAt(const MapData&, int column, int row) {
     const SplineNodes::Node& node = current_resources->spline_nodes[std::size_t(row)][std::size_t(column)];
     return vec4(node[0], node[1], node[2], node[3]);
 }
+
+// No map is in tiles here.
+constexpr int kTiles = 0;
+struct Controls {
+    vec4 above, north, south, below;
+};
+inline Controls controlsAt(const MapData&, const ivec2&) {
+    return {};
+}
 #endif
 inline vec3 imageTexel(const ObjectData&, int column, int row) {
     return vec3(current_resources->image->texel(column, row));

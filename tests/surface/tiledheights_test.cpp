@@ -7,6 +7,7 @@
 #include "surface/bounds.h"
 #include "surface/heldmap.h"
 #include "surface/levels.h"
+#include "surface/spline.h"
 #include "surface/surveycache.h"
 #include "tests/support/expecterror.h"
 #include "tests/support/scopedvariable.h"
@@ -71,12 +72,11 @@ TEST_P(TiledTest, HasTheHeightsPolesAndRangeOfTheMapInMemory) {
     const Heightmap &held = twins.held->map, &tiled = twins.tiled;
     EXPECT_EQ(tiled.north_pole, held.north_pole);
     EXPECT_EQ(tiled.south_pole, held.south_pole);
-    const bool grid = held.registration == Registration::Gridline;  // its pole rows hold their mean
-    for (int j = grid ? 1 : 0; j < held.height - (grid ? 1 : 0); ++j)
+    for (int j = 0; j < held.height; ++j)
         for (int i = 0; i < held.width; ++i) ASSERT_EQ(tiled.at(i, j), held.at(i, j)) << i << ", " << j;
     EXPECT_LE(tiled.least, held.least);
     EXPECT_GE(tiled.greatest, held.greatest);
-    if (grid) return;
+    if (held.registration == Registration::Gridline) return;  // in memory its pole rows hold their mean alone
     EXPECT_EQ(tiled.least, held.least);
     EXPECT_EQ(tiled.greatest, held.greatest);
 }
@@ -91,21 +91,25 @@ TEST_P(TiledTest, HasTheBoundsOfTheMapInMemory) {
 
 TEST_P(TiledTest, TheReferencesBoundsHoldAndItsValuesAreTheSame) {
     const Twins twins(GetParam(), namedMap(GetParam().map, GetParam().width, GetParam().height));
-    const reference::Surface held(twins.held->map, twins.held->relief), tiled(twins.tiled, twins.held->relief);
     std::mt19937 random(3);
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
-    for (int k = 0; k < 2000; ++k) {
-        const double u = uniform(random), v = k % 3 == 0 ? 1e-3 * uniform(random) : uniform(random);
-        const double du = std::exp2(-12.0 * uniform(random)), dv = std::exp2(-12.0 * uniform(random));
-        const double v1 = std::min(1.0, v + dv);
-        const reference::RadiusBounds bounds = tiled.bounds(u, u + du, v, v1);
-        for (int n = 0; n < 20; ++n) {
-            const double phi = 2.0 * kPi * (u + du * uniform(random)) - kPi,
-                         theta = kPi * (v + (v1 - v) * uniform(random));
-            const dvec3 p(std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi));
-            ASSERT_EQ(held.stored(p), tiled.stored(p));
-            ASSERT_LE(bounds.lower, held.radius(p)) << u << ' ' << v << ' ' << du << ' ' << dv;
-            ASSERT_GE(bounds.upper, held.radius(p)) << u << ' ' << v << ' ' << du << ' ' << dv;
+    for (const Filter filter : {Filter::Bilinear, Filter::BSpline}) {
+        Relief relief = twins.held->relief;
+        relief.filter = filter;
+        const reference::Surface held(twins.held->map, relief), tiled(twins.tiled, relief);
+        for (int k = 0; k < 1000; ++k) {
+            const double u = uniform(random), v = k % 3 == 0 ? 1e-3 * uniform(random) : uniform(random);
+            const double du = std::exp2(-12.0 * uniform(random)), dv = std::exp2(-12.0 * uniform(random));
+            const double v1 = std::min(1.0, v + dv);
+            const reference::RadiusBounds bounds = tiled.bounds(u, u + du, v, v1);
+            for (int n = 0; n < 20; ++n) {
+                const double phi = 2.0 * kPi * (u + du * uniform(random)) - kPi,
+                             theta = kPi * (v + (v1 - v) * uniform(random));
+                const dvec3 p(std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi));
+                ASSERT_EQ(held.stored(p), tiled.stored(p));
+                ASSERT_LE(bounds.lower, held.radius(p)) << u << ' ' << v << ' ' << du << ' ' << dv;
+                ASSERT_GE(bounds.upper, held.radius(p)) << u << ' ' << v << ' ' << du << ' ' << dv;
+            }
         }
     }
 }
@@ -122,6 +126,61 @@ TEST_P(TiledTest, TheReducedMapsErrorIsNoLessThanTheTrueOne) {
     const double told = twins.tiled.tiled->survey().reduced_error;
     EXPECT_GE(told, truth);
     EXPECT_LE(told, truth * 1.001 + 0.5);
+}
+
+/// The case's map under a spline.
+Relief splineOf(const Twins& twins) {
+    Relief relief = twins.held->relief;
+    relief.filter = Filter::BSpline;
+    return relief;
+}
+
+TEST_P(TiledTest, ItsSplineHasTheNodesOfTheMapInMemory) {
+    const Twins twins(GetParam(), namedMap(GetParam().map, GetParam().width, GetParam().height));
+    const NodeGrid held(twins.held->map), tiled(twins.tiled);
+    const SplineNodes of_held(held), of_tiled(tiled);
+    for (int j : {0, 1, 2, 3, 255, 256, 257, held.rows() - 2, held.rows() - 1, held.rows()}) {
+        const std::vector<SplineNodes::Node> row = of_held.row(j);
+        for (int i : {0, 1, 255, 256, 511, 512, 700, held.width() - 2, held.width() - 1})
+            EXPECT_EQ(of_tiled.at(i, j), row[std::size_t(i)]) << i << ", " << j;
+    }
+}
+
+// They are those of the control points around, which never lie below the spline's own.
+TEST_P(TiledTest, TheSplinesBoundsAreNoLessThanThoseOfTheMapInMemory) {
+    const Twins twins(GetParam(), namedMap(GetParam().map, GetParam().width, GetParam().height));
+    const Bounds held = buildBounds(NodeGrid(twins.held->map), splineOf(twins));
+    const Bounds tiled = buildBounds(NodeGrid(twins.tiled), splineOf(twins));
+    for (int face = 0; face < 6; ++face)
+        for (int j = 0; j < held.side; ++j)
+            for (int i = 0; i < held.side; ++i)
+                ASSERT_GE(tiled.at(face, 0, i, j), held.at(face, 0, i, j) - 2e-7f) << face << ' ' << i << ' ' << j;
+}
+
+TEST_P(TiledTest, TheSplinesBlocksHoldItsValuesAndSlopes) {
+    const Twins twins(GetParam(), namedMap(GetParam().map, GetParam().width, GetParam().height));
+    const NodeGrid grid(twins.tiled);
+    const BlockExtremes blocks = splineBlocks(twins.tiled.tiled->survey().blocks, grid);
+    const Relief relief = splineOf(twins);
+    const reference::Surface surface(twins.held->map, relief);
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    for (int k = 0; k < 30000; ++k) {
+        // A third of them within some rows of a pole.
+        const double share = k % 3 == 0 ? 0.01 * uniform(random) : uniform(random);
+        const double phi = 2.0 * kPi * uniform(random) - kPi, theta = kPi * (k % 2 ? share : 1.0 - share);
+        const dvec3 p(std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi));
+        const double column = grid.column(phi) - grid.width() * std::floor(grid.column(phi) / grid.width());
+        const int i = std::min(int(column), grid.width() - 1);
+        const int j = std::clamp(int(std::floor(grid.nodeRow(theta))), 0, grid.rows() - 1);
+        const std::size_t block = blocks.index(i >> blocks.shift, j >> blocks.shift);
+        const double value = surface.stored(p), size = 1e-6 * (1.0 + std::abs(value));
+        const dvec3 gradient = surface.gradient(p);
+        const double slope = glm::length(gradient - glm::dot(gradient, p) * p) / std::abs(relief.scale);
+        ASSERT_GE(value, double(blocks.least[block]) - size) << phi << ' ' << theta;
+        ASSERT_LE(value, double(blocks.greatest[block]) + size) << phi << ' ' << theta;
+        ASSERT_LE(slope, double(blocks.steepest[block]) * 1.00001 + 1e-3) << phi << ' ' << theta;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -218,6 +277,28 @@ TEST_F(TiledGapsTest, NumbersThatAreNoHeightsAreUnknown) {
     const Heightmap map = makeTiledHeightmap(holdMap(raw, SampleKind::Float32), shape);
     EXPECT_EQ(map.nodata_count, 3u);
     EXPECT_EQ(map.at(5000 % 1024, 5000 / 1024), map.at(5000 % 1024 - 1, 5000 / 1024));
+}
+
+// Once made, and once from the cache.
+TEST_F(TiledGapsTest, AMapIsBlurredAsInMemory) {
+    for (const double blur : {0.4, 2.3, 2.3, 40.0}) {
+        DisplacedSphere shape;
+        shape.map_path = "blurred.tif";
+        shape.blur = blur;
+        RawMap raw = mapWithGaps(65535.0f), known = raw;
+        known.unknown_are_nan = true;
+        for (float& sample : known.samples)
+            if (sample == 65535.0f) sample = std::numeric_limits<float>::quiet_NaN();
+        const Heightmap held = makeHeightmap(std::move(known), shape);
+        const Heightmap tiled = makeTiledHeightmap(holdMap(std::move(raw), SampleKind::UInt16, 65535), shape);
+        EXPECT_EQ(tiled.nodata_count, held.nodata_count);
+        EXPECT_EQ(tiled.north_pole, held.north_pole);
+        EXPECT_EQ(tiled.greatest, held.greatest);
+        for (int j = 0; j < 512; j += 3)
+            for (int i = 0; i < 1024; ++i) ASSERT_EQ(tiled.at(i, j), held.at(i, j)) << blur << ": " << i << ", " << j;
+        const Relief relief = makeRelief(shape, held, {});
+        EXPECT_EQ(buildBounds(NodeGrid(tiled), relief).squared, buildBounds(NodeGrid(held), relief).squared);
+    }
 }
 
 class SurveyCacheTest : public TiledGapsTest {
