@@ -7,7 +7,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cstring>
-#include <thread>
+#include <future>
+#include <memory>
 
 namespace dsphere {
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr int kSlotsAcross = 8, kSlotsDown = 4;  // of a layer
 constexpr std::uint64_t kLeastLayers = 2;        // drivers compile apart for images of one (see warmAhead)
-constexpr std::size_t kReadAtOnce = 64;          // tiles that the host holds while they are read
+constexpr std::size_t kReadAtOnce = 16;          // tiles, while those before are uploaded
 
 int shiftOf(int width) {
     return width > 8192 ? 9 : 8;
@@ -125,8 +126,9 @@ std::vector<std::uint32_t> TilePool::readTile(std::uint32_t tile) {
     const int row = number / map.across * side - (map.nodes->halfCaps() ? 1 : 0) - layout_.margin;
     const int column = number % map.across * side + map.nodes->width() - layout_.margin;
     const int bytes = geo::bytesOf(heights.kind());
-    std::vector<std::byte> samples(std::size_t(edge) * std::size_t(edge) * std::size_t(bytes));
-    heights.read(column, row, edge, edge, samples.data());
+    const auto samples =
+        std::make_unique_for_overwrite<std::byte[]>(std::size_t(edge) * std::size_t(edge) * std::size_t(bytes));
+    heights.read(column, row, edge, edge, samples.get());
     std::vector<std::uint32_t> words(std::size_t(layout_.words) * std::size_t(edge));
     const std::size_t row_bytes = std::size_t(edge) * std::size_t(bytes);
     for (std::size_t j = 0; j < std::size_t(edge); ++j)
@@ -166,16 +168,18 @@ bool TilePool::load(std::vector<std::uint32_t> tiles) {
         slots_[slot] = {tile, turn_};
         chosen.push_back(slot);
     }
+    using Words = std::vector<std::uint32_t>;
+    const auto read = [&](std::size_t first) {
+        std::vector<Words> tiles_read(std::min(kReadAtOnce, chosen.size() - first));
+        parallelFor(tiles_read.size(),
+                    [&](std::size_t i) { tiles_read[i] = readTile(slots_[chosen[first + i]].tile); });
+        return tiles_read;
+    };
+    std::future<std::vector<Words>> next;
     for (std::size_t first = 0; first < chosen.size(); first += kReadAtOnce) {
-        const std::size_t count = std::min(kReadAtOnce, chosen.size() - first);
-        std::vector<std::vector<std::uint32_t>> read(count);
-        // Neighbours by one thread: its handle of the file then decodes the block that they share once.
-        const std::size_t threads = std::max(1u, std::thread::hardware_concurrency());
-        parallelFor(threads, [&](std::size_t k) {
-            for (std::size_t i = count * k / threads; i < count * (k + 1) / threads; ++i)
-                read[i] = readTile(slots_[chosen[first + i]].tile);
-        });
-        for (std::size_t i = 0; i < count; ++i) uploadTile(chosen[first + i], read[i]);
+        const std::vector<Words> tiles_read = first == 0 ? read(0) : next.get();
+        if (first + kReadAtOnce < chosen.size()) next = std::async(std::launch::async, read, first + kReadAtOnce);
+        for (std::size_t i = 0; i < tiles_read.size(); ++i) uploadTile(chosen[first + i], tiles_read[i]);
     }
     loads_ += chosen.size();
     uploadTables();

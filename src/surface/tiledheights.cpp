@@ -32,12 +32,17 @@ void TiledHeights::readAs(int column, int row, int width, int height, T* to) con
         for (int done = 0; done < width;) {
             const int x = (column + done) % columns;
             const int part = std::min(width - done, columns - x);
-            window.resize(std::size_t(part) * std::size_t(count));
-            source_->read(x, first, part, count, window.data());
+            T* const place = to + std::size_t(j) * std::size_t(width) + std::size_t(done);
+            T* lines = place;
+            if (part < width) {
+                window.resize(std::size_t(part) * std::size_t(count));
+                lines = window.data();
+            }
+            source_->read(x, first, part, count, lines);
             for (int k = 0; k < count; ++k) {
-                T* const line = &window[std::size_t(k) * std::size_t(part)];
+                T* const line = lines + std::size_t(k) * std::size_t(part);
                 if (gaps_.any()) gaps_.fill(first + k, x, part, columns, line);
-                std::copy_n(line, part, to + std::size_t(j + k) * std::size_t(width) + std::size_t(done));
+                if (lines != place) std::copy_n(line, part, place + std::size_t(k) * std::size_t(width));
             }
             done += part;
         }
