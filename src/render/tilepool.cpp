@@ -6,9 +6,7 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
 #include <future>
-#include <memory>
 
 namespace dsphere {
 
@@ -125,14 +123,9 @@ std::vector<std::uint32_t> TilePool::readTile(std::uint32_t tile) {
     // Row 0 of the grid's nodes is the north pole of a map of texels.
     const int row = number / map.across * side - (map.nodes->halfCaps() ? 1 : 0) - layout_.margin;
     const int column = number % map.across * side + map.nodes->width() - layout_.margin;
-    const int bytes = geo::bytesOf(heights.kind());
-    const auto samples =
-        std::make_unique_for_overwrite<std::byte[]>(std::size_t(edge) * std::size_t(edge) * std::size_t(bytes));
-    heights.read(column, row, edge, edge, samples.get());
+    // As many samples as a row of words holds, so that they need not be moved; what is beyond the tile's is never read.
     std::vector<std::uint32_t> words(std::size_t(layout_.words) * std::size_t(edge));
-    const std::size_t row_bytes = std::size_t(edge) * std::size_t(bytes);
-    for (std::size_t j = 0; j < std::size_t(edge); ++j)
-        std::memcpy(&words[j * std::size_t(layout_.words)], &samples[j * row_bytes], row_bytes);
+    heights.read(column, row, layout_.words * 4 / geo::bytesOf(heights.kind()), edge, words.data());
     return words;
 }
 
