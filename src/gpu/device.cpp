@@ -191,7 +191,9 @@ Handle<VkDeviceMemory> Device::allocate(const VkMemoryRequirements& need, VkMemo
     if (best < 0) throwFailure("{}: the device has no memory type for it", what);
     const VkMemoryType& type = memory_.memoryTypes[best];
     checkLimit(need.size, limits_.max_allocation_size, "maxMemoryAllocationSize", what);
-    checkLimit(need.size, memory_.memoryHeaps[type.heapIndex].size, "the memory heap's size", what);
+    if (const std::uint64_t heap = memory_.memoryHeaps[type.heapIndex].size; need.size > heap)
+        throw OutOfMemory(
+            fmt::format("{}: out of memory, {} bytes asked, the memory heap has {}", what, need.size, heap));
     if (chosen) *chosen = type.propertyFlags;
 
     VkMemoryAllocateInfo info = {VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
@@ -199,9 +201,9 @@ Handle<VkDeviceMemory> Device::allocate(const VkMemoryRequirements& need, VkMemo
     info.memoryTypeIndex = std::uint32_t(best);
     VkDeviceMemory memory = VK_NULL_HANDLE;
     const VkResult result = table_.vkAllocateMemory(handle(), &info, nullptr, &memory);
-    if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) {
-        throwFailure("{}: out of memory, {} bytes asked (vkAllocateMemory: {})", what, need.size, resultName(result));
-    }
+    if (isOutOfMemory(result))
+        throw OutOfMemory(fmt::format("{}: out of memory, {} bytes asked (vkAllocateMemory: {})", what, need.size,
+                                      resultName(result)));
     check(result, "vkAllocateMemory");
     setName(VK_OBJECT_TYPE_DEVICE_MEMORY, memory, what + " memory");
     return Handle<VkDeviceMemory>(handle(), memory, table_.vkFreeMemory);

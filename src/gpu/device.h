@@ -111,7 +111,7 @@ class Device {
     const std::optional<PresentQueue>& presentation() const { return present_; }
 
     /// Memory for a buffer or image, of a type that has `required` flags and, where one exists, `preferred` ones too.
-    /// Error(Failure) beyond the limits or when memory is out; it says how many bytes were asked for `what`.
+    /// Error(Failure) beyond the limits, OutOfMemory when memory is out; it says how many bytes were asked for `what`.
     /// `chosen` receives the flags of the memory type.
     Handle<VkDeviceMemory> allocate(const VkMemoryRequirements& need, VkMemoryPropertyFlags required,
                                     VkMemoryPropertyFlags preferred, const std::string& what,

@@ -1,7 +1,5 @@
 #include "gpu/result.h"
 
-#include "base/error.h"
-
 namespace dsphere::gpu {
 
 std::string resultName(VkResult result) {
@@ -38,6 +36,10 @@ std::string resultName(VkResult result) {
 #undef RESULT_NAME
 }
 
+bool isOutOfMemory(VkResult result) {
+    return result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY;
+}
+
 void check(VkResult result, const char* call) {
     if (result == VK_SUCCESS) return;
     if (result == VK_ERROR_DEVICE_LOST) {
@@ -46,7 +48,9 @@ void check(VkResult result, const char* call) {
             "dispatch runs too long",
             call);
     }
-    throwFailure("{} failed: {}", call, resultName(result));
+    const std::string message = fmt::format("{} failed: {}", call, resultName(result));
+    if (isOutOfMemory(result)) throw OutOfMemory(message);
+    throw Error(ExitCode::Failure, message);
 }
 
 void checkLimit(std::uint64_t asked, std::uint64_t limit, const char* limit_name, const std::string& what) {

@@ -24,6 +24,17 @@ void requireSize(const gpu::Device& device, int width, int height, int planes) {
                      bytes >> 20, device.info().name, most >> 20, kInParts);
 }
 
+template <typename Use>
+void forEachLayer(std::uint32_t mask, const Use& use) {
+    std::uint32_t layer = 0;
+    for (const PlaneInfo& info : planeInfos())
+        if (mask & planeBit(info.plane)) use(layer++, info);
+}
+
+std::size_t firstPixel(const Image& image, const Box& rows) {
+    return std::size_t(rows.y0 - image.data.y0) * std::size_t(rows.width());
+}
+
 }  // namespace
 
 DeviceFilm::DeviceFilm(gpu::Device& device, int width, int height, std::uint32_t mask)
@@ -33,25 +44,34 @@ DeviceFilm::DeviceFilm(gpu::Device& device, int width, int height, std::uint32_t
     image_.clear();
 }
 
-Image DeviceFilm::read(const Box& data, const Box& display) const {
-    Image result{data, display, {}};
-    std::uint32_t layer = 0;
-    for (const PlaneInfo& info : planeInfos()) {
-        if (!(mask_ & planeBit(info.plane))) continue;
-        Channel& channel = info.is_uint ? result.addUint(info.channel) : result.addFloat(info.channel);
-        void* target = info.is_uint ? static_cast<void*>(channel.uints().data()) : channel.floats().data();
-        image_.download(layer++, 0, 0, std::uint32_t(data.width()), std::uint32_t(data.height()), target);
-    }
-    return result;
+Image DeviceFilm::blank(const Box& data, const Box& display) const {
+    Image image{data, display, {}};
+    forEachLayer(mask_, [&](std::uint32_t, const PlaneInfo& info) {
+        info.is_uint ? image.addUint(info.channel) : image.addFloat(info.channel);
+    });
+    return image;
 }
 
-void DeviceFilm::write(const Image& image) {
-    std::uint32_t layer = 0;
-    for (const PlaneInfo& info : planeInfos()) {
-        if (!(mask_ & planeBit(info.plane))) continue;
-        image_.upload(layer++, 0, 0, std::uint32_t(image.data.width()), std::uint32_t(image.data.height()),
-                      image.at(info.channel).floats().data());
-    }
+void DeviceFilm::write(const Image& image, const Box& rows) {
+    forEachLayer(mask_, [&](std::uint32_t layer, const PlaneInfo& info) {
+        image_.upload(layer, 0, 0, std::uint32_t(rows.width()), std::uint32_t(rows.height()),
+                      image.at(info.channel).floats().data() + firstPixel(image, rows));
+    });
+}
+
+void DeviceFilm::read(Image& image, const Box& rows) const {
+    const auto first = [&](auto& pixels) -> void* { return pixels.data() + firstPixel(image, rows); };
+    forEachLayer(mask_, [&](std::uint32_t layer, const PlaneInfo& info) {
+        Channel& channel = *std::ranges::find(image.channels, info.channel, &Channel::name);
+        image_.download(layer, 0, 0, std::uint32_t(rows.width()), std::uint32_t(rows.height()),
+                        std::visit(first, channel.pixels));
+    });
+}
+
+Image DeviceFilm::read(const Box& data, const Box& display) const {
+    Image image = blank(data, display);
+    read(image, data);
+    return image;
 }
 
 void takeMean(Image& sums, int samples) {

@@ -16,9 +16,14 @@ class DeviceFilm {
     const gpu::StorageImage& image() const { return image_; }
     std::uint32_t mask() const { return mask_; }
     void clear() { image_.clear(); }
-    /// Takes the first data.width() x data.height() pixels of the mask's float planes from channels of their names.
-    void write(const Image& image);
-    /// The planes as channels: of the film's first data.width() x data.height() pixels, which become those of `data`.
+    /// A channel of zeros for each plane.
+    Image blank(const Box& data, const Box& display) const;
+    /// Fills the film from its first pixel on with these rows of an image, which has channels for the planes, all
+    /// float.
+    void write(const Image& image, const Box& rows);
+    /// Fills these rows of an image that has channels for the planes.
+    void read(Image& image, const Box& rows) const;
+    /// blank() filled from the film's first pixel on.
     Image read(const Box& data, const Box& display) const;
 
   private:

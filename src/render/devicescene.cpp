@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "gpu/device.h"
+#include "gpu/result.h"
 #include "surface/spline.h"
 
 #include <algorithm>
@@ -222,8 +223,12 @@ struct DeviceScene::Layout {
     }
 };
 
-DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed)
-    : DeviceScene(device, packed, std::make_unique<TilePool>(device, packed)) {}
+DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed) try
+    : DeviceScene(device, packed, std::make_unique<TilePool>(device, packed)) {
+} catch (const gpu::OutOfMemory& error) {
+    throwFailure("{}; --mem-limit SIZE, of less than 8 bytes for each of a map's texels, keeps heights in their file",
+                 error.what());
+}
 
 DeviceScene::DeviceScene(gpu::Device& device, const PackedScene& packed, std::unique_ptr<TilePool> tiles)
     : tiles_(std::move(tiles)),

@@ -63,7 +63,7 @@ Image ProgressiveFilm::sums() const {
 
 const DeviceFilm& ProgressiveFilm::film() {
     if (blocks_.samples() > 0 && shown_samples_ != samples_ && between()) {
-        film_.write(sums());
+        film_.write(sums(), box_);
         shown_samples_ = samples_;
     }
     return film_;

@@ -1,8 +1,8 @@
 #include "render/renderer.h"
 
 #include "base/error.h"
-#include "gpu/device.h"
-#include "render/devicefilm.h"
+#include "gpu/result.h"
+#include "render/shards.h"
 #include "render/specialization.h"
 
 #include <algorithm>
@@ -40,15 +40,36 @@ void Renderer::setCrop(const Box& crop) {
     spans_ = shownSpans(packed_->traits, state_.objects, crop_);
 }
 
-void Renderer::runTiles(FilmTracer& tracer, TileRun& run, int sample, std::uint32_t seed, const Progress& progress) {
-    while (!run.done()) {
-        const auto started = std::chrono::steady_clock::now();
-        stats_.device_seconds += run.step(tracer, sample, seed, kSubmitTarget);
-        stats_.wall_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-        if (progress && !progress(run.share())) throwInterrupted();
+// Where the device's memory is short, half as many rows of the film at a time, and half of these, and so on.
+CropFilm Renderer::makeFilm(std::uint32_t mask) {
+    FilmPipelines& made = pipelines(method_, mask);
+    for (;;) {
+        const int rows = std::min(film_rows_, crop_.height());
+        try {
+            return CropFilm(device_, made, device_scene_, crop_, spans_, mask, rows);
+        } catch (const gpu::OutOfMemory& error) {
+            if (rows <= kTileRowStep)
+                throwFailure(
+                    "{}; {} rows of the picture are too many already: other programs have the device's "
+                    "memory, or the scene's maps, whose heights --mem-limit SIZE keeps in their files",
+                    error.what(), rows);
+            film_rows_ = (rows / 2 + kTileRowStep - 1) / kTileRowStep * kTileRowStep;
+        }
+    }
+}
+
+void Renderer::addSample(CropFilm& film, int sample, std::uint32_t seed, const Progress& progress) {
+    for (int band = 0; band < film.bands(); ++band) {
+        TileRun& run = film.beginBand(band);
+        while (!run.done()) {
+            const auto started = std::chrono::steady_clock::now();
+            stats_.device_seconds += run.step(film.tracer(), sample, seed, kSubmitTarget);
+            stats_.wall_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+            if (progress && !progress((band + run.share()) / film.bands())) throwInterrupted();
+        }
+        film.endBand(band);
     }
     stats_.camera_rays += crop_.width() * std::uint64_t(crop_.height());
-    run.rewind();
 }
 
 void Renderer::setLook(const Scene& scene, const SceneMaps& maps) {
@@ -86,15 +107,12 @@ void Renderer::countWork(const FilmTracer& tracer) {
 
 SampleSums Renderer::renderSums(SampleSums start, int from, int to, std::uint32_t seed, const Progress& progress,
                                 std::uint32_t planes) {
-    DeviceFilm film(device_, crop_.width(), crop_.height(), planes);
-    FilmTracer tracer(device_, pipelines(method_, planes), device_scene_, film.image());
-    TileRun run(makeTiles(spans_, 0, crop_.width(), tracer.columns()), crop_.x0, crop_.y0);
-    const SampleFilm adder = {
-        .begin = [&](const Image* sums) { sums ? film.write(*sums) : film.clear(); },
-        .add = [&](int sample, const Progress& share) { runTiles(tracer, run, sample, seed, share); },
-        .read = [&] { return film.read(crop_, display_); }};
+    CropFilm film = makeFilm(planes);
+    const SampleFilm adder = {.begin = [&](const Image* sums) { film.begin(sums); },
+                              .add = [&](int sample, const Progress& share) { addSample(film, sample, seed, share); },
+                              .read = [&] { return film.read(display_); }};
     SampleSums sums = addSamples(adder, std::move(start), from, to, progress);
-    countWork(tracer);
+    countWork(film.tracer());
     return sums;
 }
 
@@ -123,13 +141,11 @@ Image Renderer::renderColour(int samples, std::uint32_t seed, const Progress& pr
 }
 
 Image Renderer::renderPlanes(std::uint32_t mask, const Progress& progress) {
-    DeviceFilm film(device_, crop_.width(), crop_.height(), mask);
-    FilmTracer tracer(device_, pipelines(method_, mask), device_scene_, film.image());
-    TileRun run(makeTiles(spans_, 0, crop_.width(), tracer.columns()), crop_.x0, crop_.y0);
-    runTiles(tracer, run, -1, 0, progress);  // the pixels' centres
-    countWork(tracer);
-    Image image = film.read(crop_, display_);
-    fillMisses(image, run.tiles());
+    CropFilm film = makeFilm(mask);
+    addSample(film, -1, 0, progress);  // the pixels' centres
+    countWork(film.tracer());
+    Image image = film.read(display_);
+    fillMisses(image, film.tiles());
     return image;
 }
 

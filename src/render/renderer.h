@@ -1,12 +1,13 @@
 #pragma once
 
+#include "render/cropfilm.h"
 #include "render/devicescene.h"
 #include "render/filmtracer.h"
 #include "render/planes.h"
 #include "render/scenerenderer.h"
 #include "render/spans.h"
-#include "render/tiles.h"
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <utility>
@@ -42,7 +43,8 @@ class Renderer final : public SceneRenderer {
     std::uint64_t imageBytes() const override { return device_scene_.imageBytes(); }
 
   private:
-    void runTiles(FilmTracer& tracer, TileRun& run, int sample, std::uint32_t seed, const Progress& progress);
+    CropFilm makeFilm(std::uint32_t mask);
+    void addSample(CropFilm& film, int sample, std::uint32_t seed, const Progress& progress);
     void countWork(const FilmTracer& tracer);
     void fillMisses(Image& image, const std::vector<Box>& tiles) const;
 
@@ -54,6 +56,7 @@ class Renderer final : public SceneRenderer {
     std::map<std::pair<MarchMethod, std::uint32_t>, FilmPipelines> pipelines_;  ///< by method and planes
     Box crop_, display_;
     std::vector<Span> spans_;
+    int film_rows_ = std::numeric_limits<int>::max();  ///< as many as the device has had memory for
     RenderStats stats_;
 };
 

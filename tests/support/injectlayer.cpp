@@ -2,7 +2,8 @@
 // counted over the process from 1, return -4, VK_ERROR_DEVICE_LOST, without reaching the driver. Calls that succeed but
 // for a remark (VK_INCOMPLETE, VK_SUBOPTIMAL_KHR) do reach it. Once the device is lost, all that waits for it or gives
 // it work says so too. DSPHERE_INJECT_LOG names a file that gets a line "injected NAME NUMBER" then, and lines "calls
-// NAME NUMBER" at calls 1, 2, 4 and so on of a function, and at the end of the process.
+// NAME NUMBER" at calls 1, 2, 4 and so on of a function, and at the end of the process. DSPHERE_INJECT_MOST=1000000 has
+// every call of vkAllocateMemory that asks for more bytes return VK_ERROR_OUT_OF_DEVICE_MEMORY.
 
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
@@ -130,11 +131,22 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkD
     return answer(k_vkCreateDevice, [&] { return create(physical, info, memory, device); });
 }
 
+template <typename... Arguments>
+bool asksTooMuch(const Arguments&...) {
+    return false;
+}
+
+bool asksTooMuch(VkDevice, const VkMemoryAllocateInfo* info, const VkAllocationCallbacks*, VkDeviceMemory*) {
+    const char* most = std::getenv("DSPHERE_INJECT_MOST");
+    return most && info->allocationSize > std::strtoull(most, nullptr, 10);
+}
+
 template <Function f, typename Pointer>
 struct Hook;
 template <Function f, typename... Arguments>
 struct Hook<f, VkResult(VKAPI_PTR*)(Arguments...)> {
     static VKAPI_ATTR VkResult VKAPI_CALL call(Arguments... arguments) {
+        if (asksTooMuch(arguments...)) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
         return answer(f, [&] { return reinterpret_cast<VkResult(VKAPI_PTR*)(Arguments...)>(real[f])(arguments...); });
     }
 };
