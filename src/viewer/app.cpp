@@ -28,8 +28,8 @@ App::App(const ViewerOptions& options, Window& window, gpu::Device& renders, gpu
       window_(window),
       renders_(renders),
       presents_(presents),
-      presenter_(presents, renders),
       display_(renders),
+      presenter_(presents, renders),
       journal_(options.journal),
       loader_(options.open,
               [this](const SceneTraits& traits) { warmUp(renders_, options_.device, traits, options_.method); }) {

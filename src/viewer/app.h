@@ -140,8 +140,8 @@ class App {
     Window& window_;
     gpu::Device& renders_;
     gpu::Device& presents_;
-    Presenter presenter_;
     Display display_;
+    Presenter presenter_;  ///< after what it reads: its end waits for the last frame
     Journal journal_;
 
     // What is wanted, from which the rest follows. The camera and the target are the control's, once there is one.

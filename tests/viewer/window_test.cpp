@@ -306,6 +306,21 @@ TEST_F(WindowTest, FilesAlone) {
     }
 }
 
+// The frame that fails to be shown is still being drawn, from a picture that goes with the window.
+TEST_F(WindowTest, AFrameThatIsNotShownIsAnError) {
+    for (const char* call : {"2", "3"}) {
+        Process process(
+            {DSPHERE_PROGRAM, "view", "fractal.pgm"},
+            {"DISPLAY=" + desktop_->display(), "XDG_CACHE_HOME=" + path("cache").string(), DSPHERE_SHADER_CACHE,
+             "VK_LAYER_PATH=" DSPHERE_INJECT_LAYER, "VK_INSTANCE_LAYERS=VK_LAYER_DSPHERE_inject",
+             "DSPHERE_INJECT=vkQueuePresentKHR:" + std::string(call) + ":-1000000000"},
+            folder_.path(), {}, path("errors"));
+        EXPECT_EQ(process.finish(60.0), 1) << call;  // shaders that are being compiled are waited for
+        EXPECT_NE(readBytes(path("errors")).find("vkQueuePresentKHR failed: VK_ERROR_SURFACE_LOST_KHR"),
+                  std::string::npos);
+    }
+}
+
 TEST_F(WindowTest, NoDisplay) {
     Process process({DSPHERE_PROGRAM, "view", "fractal.pgm"}, {"DISPLAY=", "WAYLAND_DISPLAY="}, folder_.path(), {},
                     path("errors"));
