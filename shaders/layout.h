@@ -264,7 +264,7 @@ struct MapData {
     int surface, cap_rows, nodes_y, nodes_layer, smooth_normals;
     float phase_u, phase_v;
     // A map in tiles has no heights image. A tile holds the nodes of 2^tile_shift x 2^tile_shift cells, those on its
-    // far edges included, and perhaps a margin (SPEC_TILES). Row `table_y` + r, column c of layer 0 of the tiles image tells where tile (c, r) lies, in
+    // far edges included. Row `table_y` + r, column c of layer 0 of the tiles image tells where tile (c, r) lies, in
     // tiles: c in 8 bits, r in 8, layer in 16; or NO_TILE. Tiles begin below row `tiles_y` of every layer.
     int tile_shift;                    // 0: the map is not in tiles
     int table_y, tiles_y, first_tile;  // first_tile: the number of tile (0, 0) among those of all maps

@@ -3,22 +3,24 @@
 #include "cli/placecamera.h"
 #include "cli/readmaps.h"
 
+#include <functional>
 #include <future>
 
 namespace dsphere::cli {
 
 SceneOnDevice::SceneOnDevice(Scene& scene, const SceneOptions& placement, const CommonOptions& common,
                              const MarchMethod& method, std::uint32_t planes) {
-    std::promise<bool> tiles;
+    const std::shared_future<bool> tiles =
+        std::async(std::launch::async, anyMapStaysInFile, std::cref(scene), placement.memory_limit).share();
     auto reading = std::async(std::launch::async, [&] {
-        tiles.set_value(anyMapStaysInFile(scene, placement.memory_limit));
+        tiles.wait();
         return readMaps(scene, placement, common);
     });
     std::future<void> compiling;
     try {
         device_.emplace(common);
         SceneTraits traits = traitsOf(scene);
-        traits.tiles = tiles.get_future().get();
+        traits.tiles = tiles.get();
         compiling = device_->warmAhead(traits, method, planes);
     } catch (...) {
         reading.get();  // a bad map is what the user hears of first, whatever the device

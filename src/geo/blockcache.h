@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace dsphere::geo {
@@ -20,16 +21,22 @@ class BlockCache {
 
     static constexpr std::size_t kBytes = std::size_t(40) << 20;  ///< of all blocks, but for those in use
 
-    /// The block of that number: as kept, or as `read()` returns it. A thread that asks for one that another is reading
-    /// waits for it, and throws what that has thrown.
+    /// The block of that number: as kept, or of `bytes` that `read(to)` writes. A thread that asks for one that another
+    /// is reading waits for it, and throws what that has thrown.
     template <typename Read>
-    Samples get(std::int64_t number, const Read& read) {
+    Samples get(std::int64_t number, std::size_t bytes, const Read& read) {
         std::promise<Samples> made;
         if (const std::shared_future<Samples> known = findOrPromise(number, made); known.valid()) return known.get();
         try {
-            Samples samples = std::make_shared<const std::vector<std::byte>>(read());
+            std::vector<std::byte> buffer = spare_->take();
+            buffer.resize(bytes);
+            read(buffer.data());
+            Samples samples(new std::vector(std::move(buffer)), [spare = spare_](std::vector<std::byte>* left) {
+                spare->put(std::move(*left));
+                delete left;
+            });
             made.set_value(samples);
-            keep(samples->size());
+            dropOldest(bytes);
             return samples;
         } catch (...) {
             made.set_exception(std::current_exception());
@@ -39,6 +46,24 @@ class BlockCache {
     }
 
   private:
+    /// The memory of a block that has left, for the next one: threads that allocate and free a block each would leave
+    /// holes in the heaps of all.
+    class Spare {
+      public:
+        std::vector<std::byte> take() {
+            const std::lock_guard lock(mutex_);
+            return std::exchange(buffer_, {});
+        }
+        void put(std::vector<std::byte> buffer) {
+            const std::lock_guard lock(mutex_);
+            buffer_.swap(buffer);
+        }
+
+      private:
+        std::mutex mutex_;
+        std::vector<std::byte> buffer_;
+    };
+
     struct Block {
         std::int64_t number;
         std::shared_future<Samples> samples;
@@ -57,7 +82,7 @@ class BlockCache {
     }
 
     // All blocks but those at the file's edges are of one size.
-    void keep(std::size_t bytes) {
+    void dropOldest(std::size_t bytes) {
         const std::lock_guard lock(mutex_);
         while (blocks_.size() > 1 && blocks_.size() * bytes > kBytes) {
             places_.erase(blocks_.back().number);
@@ -75,6 +100,7 @@ class BlockCache {
 
     std::mutex mutex_;
     std::list<Block> blocks_;  ///< the last asked for first
+    std::shared_ptr<Spare> spare_ = std::make_shared<Spare>();
     std::unordered_map<std::int64_t, std::list<Block>::iterator> places_;
 };
 

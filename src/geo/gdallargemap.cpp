@@ -193,12 +193,10 @@ class GdalLargeMap : public LargeMap {
         Window whole{column * block_.width, row * block_.height, block_.width, block_.height};
         whole.width = std::min(whole.width, file_width_ - whole.x);
         whole.height = std::min(whole.height, file_height_ - whole.y);
-        const BlockCache::Samples samples = blocks_.get(row * across + column, [&] {
-            std::vector<std::byte> read(std::size_t(whole.width) * std::size_t(whole.height) * sizeof(Sample));
-            handles_.with([&](const Handle& handle) {
-                readPiece(handle, whole, reinterpret_cast<Sample*>(read.data()), whole.width);
-            });
-            return read;
+        const std::size_t bytes = std::size_t(whole.width) * std::size_t(whole.height) * sizeof(Sample);
+        const BlockCache::Samples samples = blocks_.get(row * across + column, bytes, [&](std::byte* read) {
+            handles_.with(
+                [&](const Handle& handle) { readPiece(handle, whole, reinterpret_cast<Sample*>(read), whole.width); });
         });
         const Sample* from = reinterpret_cast<const Sample*>(samples->data());
         from += std::ptrdiff_t(piece.y - whole.y) * whole.width + (piece.x - whole.x);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kSlotsAcross = 8, kSlotsDown = 4;  // of a layer
 constexpr std::uint64_t kLeastLayers = 2;        // drivers compile apart for images of one (see warmAhead)
-constexpr std::size_t kReadAtOnce = 16;          // tiles, while those before are uploaded
+constexpr std::size_t kReadAtOnce = 16;          // tiles
 
 int shiftOf(int width) {
     return width > 8192 ? 9 : 8;
@@ -116,7 +116,7 @@ std::uint32_t& TilePool::entryOf(std::uint32_t tile) {
     return map.table[tile - map.first_tile];
 }
 
-std::vector<std::uint32_t> TilePool::readTile(std::uint32_t tile) {
+void TilePool::readTile(std::uint32_t tile, std::vector<std::uint32_t>& words) {
     const Map& map = mapOf(tile);
     const TiledHeights& heights = *map.map->tiled;
     const int number = int(tile - map.first_tile), side = layout_.side(), edge = layout_.nodes();
@@ -124,9 +124,8 @@ std::vector<std::uint32_t> TilePool::readTile(std::uint32_t tile) {
     const int row = number / map.across * side - (map.nodes->halfCaps() ? 1 : 0) - layout_.margin;
     const int column = number % map.across * side + map.nodes->width() - layout_.margin;
     // As many samples as a row of words holds, so that they need not be moved; what is beyond the tile's is never read.
-    std::vector<std::uint32_t> words(std::size_t(layout_.words) * std::size_t(edge));
+    words.resize(std::size_t(layout_.words) * std::size_t(edge));
     heights.read(column, row, layout_.words * 4 / geo::bytesOf(heights.kind()), edge, words.data());
-    return words;
 }
 
 void TilePool::uploadTile(std::uint32_t slot, const std::vector<std::uint32_t>& words) {
@@ -161,18 +160,19 @@ bool TilePool::load(std::vector<std::uint32_t> tiles) {
         slots_[slot] = {tile, turn_};
         chosen.push_back(slot);
     }
-    using Words = std::vector<std::uint32_t>;
+    // The next ones are read while these are uploaded.
+    std::vector<std::vector<std::uint32_t>> words(2 * kReadAtOnce);
+    const auto wordsAt = [&](std::size_t n) -> std::vector<std::uint32_t>& { return words[n % words.size()]; };
     const auto read = [&](std::size_t first) {
-        std::vector<Words> tiles_read(std::min(kReadAtOnce, chosen.size() - first));
-        parallelFor(tiles_read.size(),
-                    [&](std::size_t i) { tiles_read[i] = readTile(slots_[chosen[first + i]].tile); });
-        return tiles_read;
+        parallelFor(std::min(kReadAtOnce, chosen.size() - first),
+                    [&](std::size_t i) { readTile(slots_[chosen[first + i]].tile, wordsAt(first + i)); });
     };
-    std::future<std::vector<Words>> next;
+    std::future<void> reading;
     for (std::size_t first = 0; first < chosen.size(); first += kReadAtOnce) {
-        const std::vector<Words> tiles_read = first == 0 ? read(0) : next.get();
-        if (first + kReadAtOnce < chosen.size()) next = std::async(std::launch::async, read, first + kReadAtOnce);
-        for (std::size_t i = 0; i < tiles_read.size(); ++i) uploadTile(chosen[first + i], tiles_read[i]);
+        const std::size_t end = std::min(first + kReadAtOnce, chosen.size());
+        first == 0 ? read(0) : reading.get();
+        if (end < chosen.size()) reading = std::async(std::launch::async, read, end);
+        for (std::size_t n = first; n < end; ++n) uploadTile(chosen[n], wordsAt(n));
     }
     loads_ += chosen.size();
     uploadTables();

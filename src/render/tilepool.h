@@ -74,7 +74,7 @@ class TilePool {
 
     Map& mapOf(std::uint32_t tile);
     std::uint32_t& entryOf(std::uint32_t tile);
-    std::vector<std::uint32_t> readTile(std::uint32_t tile);
+    void readTile(std::uint32_t tile, std::vector<std::uint32_t>& words);
     void uploadTile(std::uint32_t slot, const std::vector<std::uint32_t>& words);
     void uploadTables();
 
