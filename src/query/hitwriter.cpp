@@ -35,6 +35,7 @@ HitWriter::HitWriter(const std::string& name, FileFormat format, const Record& r
 }
 
 void HitWriter::put(const void* data, std::size_t bytes) {
+    if (bytes == 0) return;  // `data` may be null then, which fwrite must not be given
     if (file_)
         file_->write(data, bytes);
     else if (std::fwrite(data, 1, bytes, stdout) != bytes)

@@ -3,7 +3,6 @@
 #include "base/error.h"
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 
 namespace dsphere::query {
@@ -35,8 +34,8 @@ bool InputStream::fill() {
 }
 
 std::size_t InputStream::read(void* target, std::size_t count) {
-    const std::size_t held = std::min(count, buffer_.size() - begin_);
-    std::memcpy(target, buffer_.data() + begin_, held);
+    if (count == 0) return 0;  // `target` may be null then, which fread must not be given
+    const std::size_t held = buffer_.copy(static_cast<char*>(target), count, begin_);
     begin_ += held;
     if (held == count) return held;
     const std::size_t more = std::fread(static_cast<char*>(target) + held, 1, count - held, file_.get());

@@ -118,6 +118,7 @@ void Overlay::upload(VkCommandBuffer commands, const ImDrawData& data) {
     std::byte *vertex = vertices_->mapped().data(), *index = indices_->mapped().data();
     for (int i = 0; i < data.CmdListsCount; ++i) {
         const ImDrawList& list = *data.CmdLists[i];
+        if (list.VtxBuffer.empty()) continue;  // its pointers may be null, which memcpy must not be given
         std::memcpy(vertex, list.VtxBuffer.Data, std::size_t(list.VtxBuffer.size_in_bytes()));
         std::memcpy(index, list.IdxBuffer.Data, std::size_t(list.IdxBuffer.size_in_bytes()));
         vertex += list.VtxBuffer.size_in_bytes();
