@@ -19,7 +19,7 @@ class BlockCache {
   public:
     using Samples = std::shared_ptr<const std::vector<std::byte>>;
 
-    static constexpr std::size_t kBytes = std::size_t(40) << 20;  ///< of all blocks, but for those in use
+    static constexpr std::size_t kBytes = std::size_t(32) << 20;  ///< of all blocks, but for those in use
 
     /// The block of that number: as kept, or of `bytes` that `read(to)` writes. A thread that asks for one that another
     /// is reading waits for it, and throws what that has thrown.
