@@ -12,7 +12,8 @@ namespace dsphere::query {
 
 namespace {
 
-constexpr const char* kExpectedOfSuns = "expected lon,lat, and if wanted distance (R, or inf), radius (degrees) and name";
+constexpr const char* kExpectedOfSuns =
+    "expected lon,lat, and if wanted distance (R, or inf), radius (degrees) and name";
 
 /// Where each of these columns stands; absent: as many as there are columns.
 struct Columns {
@@ -30,7 +31,8 @@ Columns columnsOf(const CsvTable& table) {
     }
     const auto at = [&](const char* name) { return std::size_t(std::ranges::find(names, name) - names.begin()); };
     for (const char* name : {"lon", "lat"})
-        if (at(name) == names.size()) throwInvalid("{}: lacks the column '{}'; {}", table.where(), name, kExpectedOfSuns);
+        if (at(name) == names.size())
+            throwInvalid("{}: lacks the column '{}'; {}", table.where(), name, kExpectedOfSuns);
     return {at("lon"), at("lat"), at("distance"), at("radius"), at("name")};
 }
 

@@ -70,8 +70,8 @@ std::string changes(const Results& now, const Results& before) {
         if (rows.empty()) continue;
         any = true;
         text += fmt::format("{}, {}\n", caseName(view), view.view);
-        text += fmt::format(fmt::runtime(kChangeRow), "", "primary", "shadow", "set-up", "memory", "99.9 % distance / R",
-                            "wrong hits");
+        text += fmt::format(fmt::runtime(kChangeRow), "", "primary", "shadow", "set-up", "memory",
+                            "99.9 % distance / R", "wrong hits");
         text += rows;
     }
     return any ? text : text + "no view and method in common\n";
