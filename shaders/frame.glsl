@@ -14,6 +14,7 @@ struct CellFrame {
     real height;          // radius - base, without cancellation
     real rate_rho, rate_radius;  // half the first derivatives of rho^2 and |p|^2
     real d_across2;       // squared share of d across the axis
+    real moment, moment_y;  // lengths of the moment p x d and of its part about the axis
 };
 
 // Nearer to the axis than this a point is taken as on it; the contract excuses 1e-6.
@@ -92,6 +93,9 @@ CellFrame makeFrame(const Ray ray, const MapData map, const Pair base, const rea
     frame.rate_rho = p.x * ray.d.x + p.z * ray.d.z;
     frame.rate_radius = dot(p, ray.d);
     frame.d_across2 = ray.d.x * ray.d.x + ray.d.z * ray.d.z;
+    vec3 moment = cross(p, ray.d);
+    frame.moment = length(moment);
+    frame.moment_y = abs(moment.y);
     return frame;
 }
 
@@ -156,13 +160,18 @@ void stepSouth(INOUT(CellFrame) frame, const MapData map, const bool south) {
     frame.cell.y += south ? 1 : -1;
 }
 
-// The cell was found from rounded coordinates: near the axis that can be columns off, and elsewhere a row, beyond an edge
-// that the ray then never comes to. Steps back to the cell that the frame's own coordinates say.
+// The cell was found from rounded coordinates: near the axis that can be columns off, and elsewhere a row. Behind the ray its
+// heights would stand for those of the cell that the ray is in, and an edge ahead might never be met. Steps to the cell that
+// the frame's own coordinates say.
 void settleCell(INOUT(CellFrame) frame, const MapData map, const bool east, const bool on_axis, const real d_y,
                 const real sigma) {
     int left = on_axis ? 0 : map.width;
     while (left > 0 && behindColumn(frame, map, east, sigma)) {
         stepEast(frame, map, !east);
+        left -= 1;
+    }
+    while (left > 0 && behindColumn(frame, map, !east, sigma)) {
+        stepEast(frame, map, east);
         left -= 1;
     }
     vec2 slant = localAt(frame, d_y, sigma).slant;

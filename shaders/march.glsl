@@ -177,6 +177,7 @@ ExactWalk march(const Ray ray, const MapData map, const Pair base, const real sc
     ExactWalk walk;
     walk.hit = false;
     walk.inside = false;
+    walk.below = false;
     Cursor at;
     real s_end;
     bool searching = startCursor(at, ray, map, shell_squared, s_end);
@@ -193,7 +194,7 @@ ExactWalk march(const Ray ray, const MapData map, const Pair base, const real sc
             if (at.leaf || at.turned || !(at.s < s_end)) break;
         }
         if (at.leaf) {
-            walk = startWalk(ray, map, plan, base, at.s, at.leaf_end);
+            walk = startWalk(ray, map, plan, base, walk.below, at.s, at.leaf_end);
             while (steps < MAX_STEPS) {
                 exactStep(walk, plan, ray, map, scale);
                 steps += 4;

@@ -36,7 +36,8 @@ real atan2Precise(const real y, const real x) {
     return y < real(0) ? -angle : angle;
 }
 
-// First positive root of g0 + b t + a t^2 where g0 >= 0, free of cancellation; the caller knows that one exists.
+// Where g0 + b t + a t^2 first falls to 0 for t > 0, free of cancellation; the caller knows that it does, and that b > 0 where
+// g0 < 0.
 real firstRoot(const real g0, const real b, const real a) {
     real root = sqrt(max(b * b - real(4) * a * g0, real(0)));
     return b <= real(0) ? real(2) * g0 / max(root - b, kTiny) : (b + root) / max(real(-2) * a, kTiny);

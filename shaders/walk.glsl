@@ -11,7 +11,6 @@ const real kTrust = real(3e-8);
 // What does not change along a ray through the map's cells.
 struct WalkPlan {
     bool east;         // longitude grows along the ray
-    real s_extreme;    // where the latitude is extreme
     real across_axis;  // share of d across the axis: how fast the ray can approach it
 };
 
@@ -33,9 +32,6 @@ real momentAboutAxis(const Line line) {
 WalkPlan planWalk(const Ray ray) {
     WalkPlan plan;
     plan.east = momentAboutAxis(ray.line) > real(0);
-    real rise = ray.d.y * ray.c2;
-    plan.s_extreme = ray.c.y != real(0) ? clamp(rise / ray.c.y, -kInfinity, kInfinity)
-                                     : (rise > real(0) ? kInfinity : -kInfinity);
     plan.across_axis = acrossAxis(ray.d);
     return plan;
 }
@@ -47,21 +43,28 @@ real meridianCrossing(const CellFrame frame, const MapData map, const bool east,
     return rate.x > real(0) ? max(sigma, -start.x / rate.x) : kInfinity;
 }
 
-// Where the ray meets the cone of a parallel, y = |p| cos_e, going south or north: with E^2 = c_y^2 + |c|^2 (d_y^2 -
-// cos_e^2), s = (c_y d_y +- cos_e E) / (cos_e^2 - d_y^2), + southward; the conjugate form where that would cancel. A ray
-// that fails to touch the cone by rounding is taken to touch it.
-real coneCrossing(const Ray ray, const real cos_e, const bool south, const real s) {
-    real slack = (cos_e - ray.d.y) * (cos_e + ray.d.y);
-    real square = ray.c.y * ray.c.y - ray.c2 * slack;
-    real swing = cos_e * sqrt(max(square, real(0)));
+// Where the ray meets the cone of a parallel, rho cos_e = y sin_e, going south or north, from the frame's anchor. With 2 b and
+// a the terms of rho^2 = rho_0^2 + 2 b s + a s^2, m the ray's moment about the centre and E^2 = sin_e^2 |m|^2 - m_y^2,
+// s = (y d_y sin_e^2 - b cos_e^2 +- cos_e E) / (a cos_e^2 - d_y^2 sin_e^2), + southward; the conjugate form where that would
+// cancel. Near a pole every term is a small number, exact to its own rounding. A ray that fails to touch the cone by
+// rounding is taken to touch it.
+real coneCrossing(const CellFrame frame, const real d_y, const vec2 cosine_sine, const real beyond_anchor, const bool south,
+                  const real sigma) {
+    real cosine = cosine_sine.x;
+    real sine = cosine_sine.y;
+    real y = frame.anchor.y.hi;
+    real square = (sine * frame.moment - frame.moment_y) * (sine * frame.moment + frame.moment_y);
+    real swing = cosine * sqrt(max(square, real(0)));
     swing = south ? swing : -swing;
-    real tilt = ray.c.y * ray.d.y;
+    real tilt = y * d_y * sine * sine - frame.rate_rho * cosine * cosine;
+    real slack = frame.d_across2 * cosine * cosine - d_y * d_y * sine * sine;
     real crossing = tilt * swing >= real(0) ? (tilt + swing) / slack
-                                            : (ray.c2 * cos_e * cos_e - ray.c.y * ray.c.y) / (tilt - swing);
+                                            : beyond_anchor * (frame.rho * cosine + y * sine) / (tilt - swing);
     // The other nappe, or a crossing far behind, is none; rounding may put a true one a little behind.
-    real height = ray.c.y + crossing * ray.d.y;
-    bool true_one = square > real(-1e-6) * ray.c2 && height * (cos_e < real(0) ? real(-1) : real(1)) >= real(-1e-6) &&
-                    crossing >= s - real(0.01) && crossing < kInfinity;
+    real height = y + crossing * d_y;
+    bool true_one = square > real(-1e-6) * frame.moment * frame.moment &&
+                    height * (cosine < real(0) ? real(-1) : real(1)) >= real(-1e-6) &&
+                    crossing >= sigma - real(0.01) && crossing < kInfinity;
     return true_one ? crossing : kInfinity;
 }
 
@@ -79,19 +82,20 @@ real stepToRoot(const real a, const real b, const real c, const bool rising) {
 
 // The same in the frame: the cone of the rounded ray, then one step on the edge's own small coordinate as a parabola. A
 // Newton step, which has no second derivative, goes astray where the ray is about to touch the cone.
-real parallelCrossing(const CellFrame frame, const Ray ray, const MapData map, const bool south, const Local here,
+real parallelCrossing(const CellFrame frame, const real d_y, const MapData map, const bool south, const Local here,
                       const real sigma) {
     vec2 rotation = south ? rowRotation(map, frame.cell.y) : vec2(real(0));
     real beyond_here = rotateSmall(here.slant, rotation.x, rotation.y).x;
     if (south ? beyond_here > real(0) : beyond_here < real(0)) return sigma;
     vec2 cosine_sine = rotateSmall(vec2(frame.edge.y, frame.edge.x), rotation.x, rotation.y);
-    real crossing = coneCrossing(ray, cosine_sine.x, south, frame.anchor.s + sigma) - frame.anchor.s;
+    real beyond_anchor = rotateSmall(frame.slant, rotation.x, rotation.y).x;
+    real crossing = coneCrossing(frame, d_y, cosine_sine, beyond_anchor, south, sigma);
     if (!(crossing < real(1))) return kInfinity;
-    Local local = localAt(frame, ray.d.y, crossing);
+    Local local = localAt(frame, d_y, crossing);
     real beyond = rotateSmall(local.slant, rotation.x, rotation.y).x;
     real rho = max(local.rho, kTiny);
     real outward = (frame.rate_rho + crossing * frame.d_across2) / rho;
-    real rate = outward * cosine_sine.x - ray.d.y * cosine_sine.y;
+    real rate = outward * cosine_sine.x - d_y * cosine_sine.y;
     real bend = cosine_sine.x * (frame.d_across2 - outward * outward) / rho;
     real correction = stepToRoot(beyond, rate, bend, south);
     return correction < kInfinity ? max(sigma, crossing + clamp(correction, real(-0.01), real(0.01))) : kInfinity;
@@ -118,9 +122,16 @@ Chord makeChord(const real g, const real slope, const real bend, const real cubi
     return chord;
 }
 
+// Whether a chord that starts below 0 is above 0 somewhere before its end.
+bool comesOut(const Chord chord) {
+    real vertex = real(-0.5) * chord.slope;  // times 1 / bend
+    bool peaks = chord.slope > real(0) && vertex > chord.bend;
+    return peaks && chord.slope * chord.slope > real(4) * chord.g * chord.bend;
+}
+
 #include "chord.glsl"
 
-// First root of a chord's parabola (g, slope, bend) where g >= 0, as a share of the chord.
+// Where a chord's parabola (g, slope, bend) falls to 0 first, as a share of the chord.
 real parabolaRoot(const vec3 parabola) {
     return clamp(firstRoot(parabola.x, parabola.y, parabola.z), real(0), real(1));
 }
@@ -129,16 +140,18 @@ struct ExactWalk {
     bool hit, inside, going, exhausted;
     bool first;       // at the leaf's first chord
     bool at_start;    // where the ray itself starts
+    bool below;       // a secondary ray that rises from inside the solid and is not out yet
     CellFrame frame;
     real sigma, end;  // where the walk stands, and ends; after a hit, sigma is the root
     real extreme;     // sigma where the latitude is extreme
+    bool southward;   // beyond it
     real low, high;   // ends of the chord that holds the root
     real longest;     // chord length limit: halved where a parabola was unsure
     int steps;        // height and bound fetches of the whole march
 };
 
-// The ray is below the leaf's bound on [s, s_end].
-ExactWalk startWalk(const Ray ray, const MapData map, const WalkPlan plan, const Pair base, const real s,
+// The ray is below the leaf's bound on [s, s_end]. below: whether the leaf before ended inside the solid.
+ExactWalk startWalk(const Ray ray, const MapData map, const WalkPlan plan, const Pair base, const bool below, const real s,
                     const real s_end) {
     ExactWalk walk;
     walk.frame = makeFrame(ray, map, base, s);
@@ -147,10 +160,15 @@ ExactWalk startWalk(const Ray ray, const MapData map, const WalkPlan plan, const
     walk.going = true;
     walk.first = true;
     walk.at_start = s <= ray.s_min;
+    walk.below = below;
     walk.sigma = s - walk.frame.anchor.s;
     settleCell(walk.frame, map, plan.east, isOnAxis(ray.c + s * ray.d, ray.d), ray.d.y, walk.sigma);
     walk.end = s_end - walk.frame.anchor.s;
-    walk.extreme = plan.s_extreme - walk.frame.anchor.s;
+    // The colatitude's rate has the sign of turn + sigma c_y, c the ray's point closest to the centre.
+    real turn = walk.frame.rate_rho * walk.frame.anchor.y.hi - walk.frame.rho * walk.frame.rho * ray.d.y;
+    real c_y = walk.frame.d_across2 * walk.frame.anchor.y.hi - walk.frame.rate_rho * ray.d.y;
+    walk.extreme = c_y != real(0) ? clamp(-turn / c_y, -kInfinity, kInfinity) : -kInfinity;
+    walk.southward = c_y != real(0) ? c_y > real(0) : turn > real(0);
     walk.low = walk.sigma;
     walk.high = walk.end;
     walk.longest = kInfinity;
@@ -161,11 +179,11 @@ void exactStep(INOUT(ExactWalk) walk, const WalkPlan plan, const Ray ray, const 
     CellFrame frame = walk.frame;
     Patch quad = fetchPatch(map, scale, frame.cell);
     bool before = walk.sigma < walk.extreme;
-    bool south = before != (ray.c.y >= real(0));
+    bool south = before != walk.southward;
     bool pole_edge = south ? frame.cell.y == map.rows - 1 : frame.cell.y == 0;
     real to_u = meridianCrossing(frame, map, plan.east, walk.sigma);
     Local here = localAt(frame, ray.d.y, walk.sigma);
-    real to_v = pole_edge ? kInfinity : parallelCrossing(frame, ray, map, south, here, walk.sigma);
+    real to_v = pole_edge ? kInfinity : parallelCrossing(frame, ray.d.y, map, south, here, walk.sigma);
 
     // Across the axis the shortest chord is what counts too: along it the ray may be parallel to the axis, and long.
     real sideways = max(kChordShare * here.rho, kShortestChord) / plan.across_axis;
@@ -176,15 +194,22 @@ void exactStep(INOUT(ExactWalk) walk, const WalkPlan plan, const Ray ray, const 
     PatchPoint middle = patchPoint(map, quad, frame, localAt(frame, ray.d.y, real(0.5) * (walk.sigma + far)));
     PatchPoint end = patchPoint(map, quad, frame, localAt(frame, ray.d.y, far));
 
-    // The ray came from above a bound, so only its own start can lie deeper inside than rounding.
-    bool starts_inside = start.g <= real(0) && walk.first && (ray.may_start_inside || !walk.at_start);
-    start.g = max(start.g, real(0));
+    // The ray came from above a bound, so only its own start can lie deeper inside than rounding. Where a secondary ray rises
+    // from there (in a crack narrower than its offset) it has to come out first; else it goes on in, as from the surface.
+    bool starts_inside = start.g <= real(0) && walk.first && !walk.below && (ray.may_start_inside || !walk.at_start);
+    bool emerges = walk.first && walk.at_start && !ray.may_start_inside;
+    bool rises = real(4) * middle.g > real(3) * start.g + end.g;
+    bool below = start.g < real(0) && (walk.below || (emerges && rises));
+    start.g = below ? start.g : max(start.g, real(0));
     Chord chord = solveChord(start, middle, end, quad);
     real length_of_chord = far - walk.sigma;
     bool unsure = chord.miss > kTrust && chord.lowest <= chord.miss;
     bool halve = unsure && !starts_inside && length_of_chord > real(4) * kShortestChord;
-    walk.hit = starts_inside || (chord.lowest <= real(0) && !halve);
-    walk.inside = starts_inside && walk.at_start;
+    bool enters = chord.lowest <= real(0) && (!below || comesOut(chord));
+    // A chord without length leads from where rounding put the start to its true cell.
+    bool empty = !(far > walk.sigma);
+    walk.hit = !empty && (starts_inside || (enters && !halve));
+    walk.inside = walk.hit && starts_inside && walk.at_start;
     walk.low = walk.sigma;
     walk.high = far;
     walk.longest = halve ? real(0.5) * length_of_chord : real(2) * max(walk.longest, kShortestChord);
@@ -192,8 +217,9 @@ void exactStep(INOUT(ExactWalk) walk, const WalkPlan plan, const Ray ray, const 
     if (walk.hit) {
         walk.sigma += starts_inside ? real(0) : parabolaRoot(vec3(chord.g, chord.slope, chord.bend)) * length_of_chord;
     } else if (!halve) {
+        walk.below = empty ? walk.below : below && end.g <= real(0);
         walk.sigma = far;
-        walk.first = false;
+        walk.first = walk.first && empty;
         if (to_u <= far) stepEast(walk.frame, map, plan.east);
         if (to_v <= far) stepSouth(walk.frame, map, south);
     }

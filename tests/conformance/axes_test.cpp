@@ -70,6 +70,21 @@ TEST_F(Axes, UpTheAxisOntoTheSouthPole) {
     expectContractButNormals(probe(sphereWorld(steepMap(), 15.0), poleRays(-1.0)));
 }
 
+// The cosines of its first parallels round to those of their neighbours.
+TEST_F(Axes, BesideThePolesOfATallMap) {
+    Random random(5);
+    Queries rays;
+    for (int k = 0; k < kManyRays; ++k) {
+        const double side = k % 2 ? 1.0 : -1.0;
+        const auto beside = [&] {
+            return std::abs(logarithmic(random, 1e-6, 2e-2)) * direction(uniform(random, -kPi, kPi), 0.0);
+        };
+        const dvec3 pole(0.0, side, 0.0);
+        rays.push_back(aim((1.0 + uniform(random, 1e-3, 0.1)) * pole + beside(), 0.99 * pole + beside()));
+    }
+    expectContractButNormals(probe(sphereWorld(test::fractalMap(512, 8192), 5.0), rays));
+}
+
 // There columns' edges meet.
 TEST_F(Axes, OntoAPoleOfGridlineRegistration) {
     expectContractButNormals(probe(gridlineWorld(test::randomMap(512, 257), 15.0), poleRays(1.0)));

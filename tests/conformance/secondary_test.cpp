@@ -15,13 +15,14 @@ struct SecondaryCase {
     std::string name;
     RawMap (*map)(int width, int height, std::uint32_t seed);
     double percent;
+    int rows = 256;
 
     friend void PrintTo(const SecondaryCase& c, std::ostream* out) { *out << c.name; }
 };
 
 class Secondary : public Conformance, public testing::WithParamInterface<SecondaryCase> {
   protected:
-    World world_ = sphereWorld(GetParam().map(512, 256, 1), GetParam().percent);
+    World world_ = sphereWorld(GetParam().map(512, GetParam().rows, 1), GetParam().percent);
     PackedScene packed_ = packScene(world_.scene, world_.maps);
     std::unique_ptr<RayProbe> probe_ = makeProbe(packed_);
     reference::Surface surface_{*world_.maps.maps[0], world_.maps.reliefs[0]};
@@ -101,6 +102,30 @@ INSTANTIATE_TEST_SUITE_P(On, Secondary,
                          testing::Values(SecondaryCase{"Fractal", test::fractalMap, 15.0},
                                          SecondaryCase{"Needles", test::spikeMap, 15.0},
                                          SecondaryCase{"Random", test::randomMap, 15.0}),
+                         caseName<SecondaryCase>);
+
+class Cracks : public Secondary {};
+
+// Beside the bottom of a steep valley P' lies in its other side: a ray that rises from there is free until it goes in
+// again.
+TEST_P(Cracks, AreLeftFirst) {
+    const Heightmap& map = *world_.maps.maps[0];
+    const double unit = world_.unit();
+    Queries queries;
+    for (int tries = 0; tries < 400 * kRays && int(queries.size()) < kRays; ++tries) {
+        const double longitude = uniform(random_, -kPi, kPi);
+        const double latitude = nodeLatitude(map, 1 + int(random_() % std::uint64_t(map.height - 2)));
+        const dvec3 way = direction(longitude, latitude - uniform(random_, 1e-8, 3e-7));
+        const dvec3 p = surface_.radius(way) * way;
+        const dvec3 start(glm::vec3((p + 1e-6 * unit * surface_.normal(p)) / unit));
+        const dvec3 towards = randomUnit(random_);
+        if (surface_.f(start * unit) >= 0.0 || glm::dot(surface_.gradient(start * unit), towards) <= 0.0) continue;
+        queries.push_back({.origin = start, .direction = towards, .secondary = true});
+    }
+    expectVerdicts(queries);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Cracks, testing::Values(SecondaryCase{"ATallMap", test::randomMap, 0.6, 8192}),
                          caseName<SecondaryCase>);
 
 using Shadows = Conformance;

@@ -47,6 +47,7 @@ TEST(Numeric, FirstRootIsTheFirstPositiveOne) {
     EXPECT_EQ(glsl32::firstRoot(0.0f, -1.0f, 3.0f), 0.0f);          // starts on the surface, going in
     EXPECT_FLOAT_EQ(glsl32::firstRoot(1e-8f, -1.0f, 1.0f), 1e-8f);  // no cancellation for a near root
     EXPECT_FLOAT_EQ(glsl32::firstRoot(1.0f, -2.0f, 1.0f), 1.0f);    // double root
+    EXPECT_FLOAT_EQ(glsl32::firstRoot(-1.0f, 3.0f, -2.0f), 1.0f);   // -(2t - 1)(t - 1): rises from below 0 first
 }
 
 TEST(Numeric, ExactSumLosesNothing) {
