@@ -103,7 +103,7 @@ IteratedSearch::IteratedSearch(const Workload& workload, bool secant)
 
 double IteratedSearch::groundRadius(const dvec3& p) const {
     const double longitude = std::atan2(p.x, p.z), colatitude = std::atan2(std::hypot(p.x, p.z), p.y);
-    return relief_.base + relief_.scale * heights_.at(longitude, colatitude).stored;
+    return relief_.base + relief_.scale * heights_.at(longitude, colatitude).value;
 }
 
 std::optional<double> IteratedSearch::find(const dvec3& origin, const dvec3& direction, const PixelSize& pixel) const {

@@ -188,12 +188,12 @@ Json describeMap(const SceneMaps& maps, int index) {
                  {"type", map.type},
                  {"width", map.width},
                  {"height", map.height},
-                 {"least", map.least},
-                 {"greatest", map.greatest},
+                 {"least", map.storedLeast()},
+                 {"greatest", map.storedGreatest()},
                  {"nodata_texels", map.nodata_count},
                  {"registration", nameOf(map.registration)},
                  {"longitude_origin", map.longitude_origin}};
-    addFacts(json, map.facts, map.least, map.greatest);
+    addFacts(json, map.facts, map.storedLeast(), map.storedGreatest());
     addDevice(json, NodeGrid(map), bytesPerNode(maps, index));
     return json;
 }

@@ -78,7 +78,7 @@ int rowsAtOnce(const BakeGrid& grid, std::size_t rays_per_texel) {
 
 /// The ground at a texel's centre: local axes, and the gradient of |p| - r along east and south.
 struct Baker::Ground {
-    double stored, east_slope, south_slope;  // slopes: rise over run
+    double sample, east_slope, south_slope;  // slopes: rise over run
 };
 
 Baker::Baker(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const PackedScene& packed,
@@ -124,8 +124,8 @@ Baker::Ground Baker::groundAt(int i, int j) const {
     const dvec3 direction = up(i, j);
     const double longitude = std::atan2(direction.x, direction.z);
     const double colatitude = glm::radians(90.0 - grid_.latitude(j)), sine = parallels_[std::size_t(j)].y;
-    Ground ground{body_->heights->at(longitude, colatitude).stored, 0.0, 0.0};
-    const double r = body_->relief.base + body_->relief.scale * ground.stored;
+    Ground ground{body_->heights->at(longitude, colatitude).value, 0.0, 0.0};
+    const double r = body_->relief.base + body_->relief.scale * ground.sample;
     for (double east : {-kBeside, kBeside})
         for (double south : {-kBeside, kBeside}) {
             const HeightSample beside = body_->heights->at(longitude + east, colatitude + south);
@@ -146,7 +146,8 @@ std::vector<float> Baker::mapped(Value value) const {
 }
 
 std::vector<float> Baker::height() const {
-    return mapped([](const Ground& ground, int, int) { return ground.stored; });
+    const Heightmap& map = body_->heights->map();
+    return mapped([&map](const Ground& ground, int, int) { return map.stored(ground.sample); });
 }
 
 std::vector<float> Baker::slope() const {
@@ -175,7 +176,7 @@ std::vector<dvec3> Baker::startsOf(int row) const {
         const dvec3 direction = up(i, row);
         const HeightSample ground =
             body_->heights->at(std::atan2(direction.x, direction.z), glm::radians(90.0 - grid_.latitude(row)));
-        starts.push_back((body_->relief.base + body_->relief.scale * ground.stored + kLift * body_->unit) * direction);
+        starts.push_back((body_->relief.base + body_->relief.scale * ground.value + kLift * body_->unit) * direction);
     }
     return starts;
 }
@@ -293,7 +294,7 @@ QueryRay Baker::rayDown(double i, double j) const {
     const LocalAxes axes(grid_.latitude(j), grid_.longitude(i));
     const HeightSample ground =
         body_->heights->at(std::atan2(axes.up.x, axes.up.z), glm::radians(90.0 - grid_.latitude(j)));
-    const dvec3 start = (body_->relief.base + body_->relief.scale * ground.stored + kAbove * body_->unit) * axes.up;
+    const dvec3 start = (body_->relief.base + body_->relief.scale * ground.value + kAbove * body_->unit) * axes.up;
     return {{start.x, start.y, start.z}, {-axes.up.x, -axes.up.y, -axes.up.z}};
 }
 

@@ -21,7 +21,7 @@ struct ShapeFrame {
     const Geometry* geometry = nullptr;
     std::optional<Interpolator> heights;  ///< of a displaced sphere
     Relief relief;                        ///< in object units
-    double base = 1.0, scale = 0.0;   ///< of a displaced sphere: the ground is base + scale * stored R from the centre
+    double base = 1.0, scale = 0.0;   ///< of a displaced sphere: the ground is base + scale * sample R from the centre
     bool in_unit_sphere = false;      ///< nothing of the shape lies farther than 1 R from its centre
     const MapFacts* facts = nullptr;  ///< what the map says of its values; of a displaced sphere
 };

@@ -27,7 +27,7 @@ Geography::Geography(const Scene& scene, const SceneMaps& maps, Frame frame) {
 double Geography::groundRadius(double latitude, double longitude) const {
     const double turn = glm::radians(longitude);
     const double wrapped = std::atan2(std::sin(turn), std::cos(turn));
-    return relief_.base + relief_.scale * heights_->at(wrapped, glm::radians(90.0 - latitude)).stored;
+    return relief_.base + relief_.scale * heights_->at(wrapped, glm::radians(90.0 - latitude)).value;
 }
 
 dvec3 Geography::point(double latitude, double longitude, double altitude, Above above,

@@ -45,7 +45,7 @@ void lookBelow(Place& place, Change& change, const ShapeFrame& shape, const dvec
     const HeightSample ground = shape.heights->at(place.longitude, place.colatitude);
     place.height = ground;
     change.axis_distance = rho;
-    change.excess = r - (shape.base + shape.scale * ground.stored);
+    change.excess = r - (shape.base + shape.scale * ground.value);
     const double inverse_rho = 1.0 / std::max(rho, 1e-100), inverse_r2 = 1.0 / r2;
     const double outward = (p.x * direction.x + p.z * direction.z) * inverse_rho;
     change.longitude_rate = (p.z * direction.x - p.x * direction.z) * inverse_rho * inverse_rho;
@@ -70,7 +70,7 @@ bool stepOnPatch(Place& place, const ShapeFrame& shape, const Line& line, const 
     place.position += step * line.direction;
     place.longitude += east;
     place.colatitude += south;
-    place.height.stored += place.height.per_longitude * east + place.height.per_colatitude * south + twist;
+    place.height.value += place.height.per_longitude * east + place.height.per_colatitude * south + twist;
     return true;
 }
 
@@ -145,7 +145,7 @@ void describePlace(QueryHit& hit, const ShapeFrame& shape, const Place& place) {
     hit.v = place.colatitude / kPi;
     hit.latitude = 90.0 - glm::degrees(place.colatitude);
     hit.longitude = glm::degrees(place.longitude);
-    hit.height = place.height.stored;
+    hit.height = shape.heights->map().stored(place.height.value);
     if (shape.facts->unit == "m") hit.metres = shape.facts->heightOf(hit.height);
 }
 

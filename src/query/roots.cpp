@@ -165,7 +165,7 @@ void findRoots(std::span<Place> places, const ShapeFrame& shape, std::span<const
             place.position = {work.px[i], work.py[i], work.pz[i]};
             place.longitude = work.longitude[i];
             place.colatitude = work.colatitude[i];
-            place.height.stored = work.stored[i];
+            place.height.value = work.stored[i];
             place.height.per_longitude = work.per_longitude[i];
             place.height.per_colatitude = work.per_colatitude[i];
             place.height.mixed = work.mixed[i];

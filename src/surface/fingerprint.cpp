@@ -116,7 +116,7 @@ struct SceneHash {
         addAll(shape, radiance, two_sided);
     }
     void add(const Heightmap& map) {
-        addAll(map.width, map.height, map.registration, map.longitude_origin, map.full_scale);
+        addAll(map.width, map.height, map.registration, map.longitude_origin, map.full_scale, map.zero);
         if (map.tiled)
             add(map.tiled->source().identity());
         else

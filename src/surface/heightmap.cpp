@@ -33,6 +33,12 @@ void fill(Heightmap& map, const Nodata& nodata) {
         throwInvalid("{}: every one of the {}x{} texels is unknown (nodata)", map.path, map.width, map.height);
 }
 
+/// The stored value to count from (Heightmap::zero). Taking it away is exact: no value is twice another.
+float zeroOf(float least, float greatest) {
+    const float farthest = std::max(std::abs(least), std::abs(greatest));
+    return farthest > 2.0f * (greatest - least) ? least : 0.0f;
+}
+
 /// "column 3, row 0 (latitude 89.75, longitude -178.25 degrees)", the latter in the map's own range.
 std::string describeTexel(const Heightmap& map, std::size_t index) {
     const std::size_t i = index % std::size_t(map.width), j = index / std::size_t(map.width);
@@ -43,8 +49,9 @@ std::string describeTexel(const Heightmap& map, std::size_t index) {
     return fmt::format("column {}, row {} (latitude {:.10g}, longitude {:.10g} degrees)", i, j, latitude, longitude);
 }
 
-/// Throws, naming the texel of the stored value whose radius is not a positive number.
-[[noreturn]] void refuseRadius(const Heightmap& map, float stored, double radius, const SourceLocation& where) {
+/// Throws, naming the texel of the sample whose radius is not a positive number.
+[[noreturn]] void refuseRadius(const Heightmap& map, float sample, double radius, const SourceLocation& where) {
+    const double stored = map.stored(sample);
     if (map.ripples)
         throwInvalid(
             "{}: the displaced radius is {} where the ripples are {}, expected it to be positive and finite "
@@ -55,7 +62,7 @@ std::string describeTexel(const Heightmap& map, std::size_t index) {
             "{}: the displaced radius is {} where the map holds {}; expected it to be positive and finite at every "
             "texel (lower maxdispl, or change midlevel or heightmin and heightmax)",
             where.text(), radius, stored);
-    const auto found = std::ranges::find(map.samples, stored);
+    const auto found = std::ranges::find(map.samples, sample);
     throwInvalid(
         "{}: the displaced radius is {} at {}, where the map holds {}; expected it to be positive and finite at every "
         "texel (lower maxdispl, or change midlevel or heightmin and heightmax)",
@@ -129,6 +136,12 @@ Heightmap headOf(RawMap raw, const DisplacedSphere& shape) {
     return map;
 }
 
+void countFrom(Heightmap& map, float zero) {
+    map.zero = zero;
+    for (float& sample : map.samples) sample -= zero;
+    for (float* value : {&map.north_pole, &map.south_pole, &map.least, &map.greatest}) *value -= zero;
+}
+
 }  // namespace
 
 Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape) {
@@ -151,6 +164,7 @@ Heightmap makeHeightmap(RawMap raw, const DisplacedSphere& shape) {
     const auto [least, greatest] = std::ranges::minmax(map.samples);
     map.least = least;
     map.greatest = greatest;
+    if (const float zero = zeroOf(least, greatest); zero != 0.0f && !shape.ripples) countFrom(map, zero);
     if (shape.ripples) {
         map.ripples = shape.ripples;
         map.least = 0.0f;
@@ -207,6 +221,7 @@ Heightmap makeTiledHeightmap(std::shared_ptr<const geo::LargeMap> source, const 
     if (shape.blur > 0.0) source = blurredMap(std::move(source), std::exchange(known->first, Gaps()), shape.blur);
     auto tiled = std::make_shared<TiledHeights>(std::move(source), std::move(known->first));
     const Survey& survey = known->second;
+    const float zero = zeroOf(survey.least, survey.greatest);
     map.north_pole = survey.north_pole;
     map.south_pole = survey.south_pole;
     map.least = survey.least;
@@ -216,7 +231,11 @@ Heightmap makeTiledHeightmap(std::shared_ptr<const geo::LargeMap> source, const 
                      {survey.least, survey.second_least, survey.greatest, survey.at_least,
                       std::uint64_t(map.width) * std::uint64_t(map.height)});
     tiled->setSurvey(std::move(known->second));
-    map.tiled = std::move(tiled);
+    map.tiled = tiled;
+    if (zero != 0.0f) {
+        tiled->countFrom(zero);
+        countFrom(map, zero);
+    }
     return map;
 } catch (const Error& error) {
     const bool named = std::string(error.what()).find(shape.map_path) != std::string::npos;
@@ -289,8 +308,9 @@ Heightmap loadHeightmap(const DisplacedSphere& shape, std::uint64_t most_held, c
 
 Relief makeRelief(const DisplacedSphere& shape, const Heightmap& map, const SourceLocation& where) {
     // A map of one value alone lies at h = 0.
-    const double own_top = map.greatest > map.least ? double(map.greatest) : double(map.least) + 1.0;
-    const double height_min = shape.height_min.value_or(shape.own_range ? double(map.least) : 0.0);
+    const double own_least = map.storedLeast();
+    const double own_top = map.greatest > map.least ? map.storedGreatest() : own_least + 1.0;
+    const double height_min = shape.height_min.value_or(shape.own_range ? own_least : 0.0);
     const double height_max = shape.height_max.value_or(shape.own_range ? own_top : map.full_scale);
     Relief relief;
     relief.filter = shape.filter;
@@ -311,7 +331,9 @@ Relief makeRelief(const DisplacedSphere& shape, const Heightmap& map, const Sour
         relief.scale = k * relief.h_scale;
         relief.base = shape.radius + k * (relief.h_offset - shape.midlevel);
     }
-    // r is monotone in the stored value, also as rounded, and the poles' means lie between the samples' extremes.
+    relief.base += relief.scale * map.zero;
+    relief.h_offset += relief.h_scale * map.zero;
+    // r is monotone in the sample, also as rounded, and the poles' means lie between the samples' extremes.
     const bool up = relief.scale >= 0.0;
     const float lowest = up ? map.least : map.greatest, highest = up ? map.greatest : map.least;
     relief.least_radius = relief.base + relief.scale * double(lowest);

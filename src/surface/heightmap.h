@@ -13,7 +13,8 @@ namespace dsphere {
 
 class TiledHeights;
 
-/// Node values of a reconstruction that is watertight at the seam and the poles, in the file's stored units.
+/// Node values of a reconstruction that is watertight at the seam and the poles, in the file's stored units, counted
+/// from `zero`.
 ///
 /// Texel registration: node (i, j) stands at u = (i + 0.5) / width, v = (j + 0.5) / height, and the poles are two
 /// further nodes whose value is the mean of the first (last) row. Gridline: node (i, j) at u = i / width,
@@ -23,16 +24,25 @@ struct Heightmap {
     Registration registration = Registration::Texel;
     double longitude_origin = -180.0;  ///< degrees; the u of the left edge is (longitude_origin + 180) / 360
     double full_scale = 1.0;           ///< the stored value that means h = 1 unless the scene says otherwise
-    std::vector<float> samples;        ///< row-major, first row northmost; all finite; empty where `tiled` is set
+    /// The stored value from which samples, poles, extremes and the survey count: 0, but the least where all values lie
+    /// far from 0 for their range: floats of such values times a scale would lose the bits that tell them apart.
+    /// Whatever is made of the map (grids, bounds, patches, the reference) counts from it too.
+    double zero = 0.0;
+    std::vector<float> samples;  ///< row-major, first row northmost; all finite; empty where `tiled` is set
     /// Of a map that stays in its file: the samples' place.
     std::shared_ptr<const TiledHeights> tiled;
     float north_pole = 0.0f, south_pole = 0.0f;
-    float least = 0.0f, greatest = 0.0f;  ///< of all samples
+    float least = 0.0f, greatest = 0.0f;  ///< of all samples, from `zero` as they are
     std::size_t nodata_count = 0;         ///< texels that held the shape's nodata value, before they were filled
     std::string path, type;
     MapFacts facts;
     Notices notices;                 ///< the reader's, and those of what was made of the map
     std::optional<Ripples> ripples;  ///< the closed form that takes the samples' place, 0 to 1
+
+    /// What the file holds, of a sample or of what lies between samples.
+    double stored(double sample) const { return zero + sample; }
+    double storedLeast() const { return stored(least); }
+    double storedGreatest() const { return stored(greatest); }
 
     float at(int i, int j) const {
         return tiled ? tiledAt(i, j) : samples[std::size_t(j) * std::size_t(width) + std::size_t(i)];
@@ -84,13 +94,13 @@ struct TrueScale {
 std::optional<TrueScale> trueScaleOf(const DisplacedSphere& shape, const Heightmap& map);
 Notice exaggerationNote(const TrueScale& scale, const Heightmap& map);
 
-/// The displaced sphere in the map's stored units: r = base + scale * stored, object units.
+/// The displaced sphere: r = base + scale * sample, object units, a sample being a stored value less the map's `zero`.
 struct Relief {
     double base = 1.0;                                 ///< object units
     double scale = 0.0;                                ///< object units per stored unit; may be negative
     double least_radius = 1.0, greatest_radius = 1.0;  ///< over all nodes, object units
-    double h_scale = 1.0, h_offset = 0.0;              ///< h = h_offset + h_scale * stored
-    Filter filter = Filter::Bilinear;                  ///< how stored values run between the map's
+    double h_scale = 1.0, h_offset = 0.0;              ///< h = h_offset + h_scale * sample
+    Filter filter = Filter::Bilinear;                  ///< how heights run between the map's
     bool smooth_normals = false;                       ///< shading normals are the B-spline's, unlike the filter
 };
 

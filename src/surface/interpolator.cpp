@@ -99,8 +99,8 @@ HeightSample Interpolator::splineWithCaps(double column, double row) const {
     const double pole = north ? map_->north_pole : map_->south_pole;
     const double share = 2.0 * (north ? row + 0.5 : last + 0.5 - row);
     const HeightSample edge = spline(column, north ? 0.0 : last);
-    return {pole + share * (edge.stored - pole), share * edge.per_longitude,
-            (north ? 2.0 : -2.0) * (edge.stored - pole), (north ? 2.0 : -2.0) * edge.per_longitude};
+    return {pole + share * (edge.value - pole), share * edge.per_longitude, (north ? 2.0 : -2.0) * (edge.value - pole),
+            (north ? 2.0 : -2.0) * edge.per_longitude};
 }
 
 HeightSample Interpolator::spline(double column, double row) const {
@@ -112,7 +112,7 @@ HeightSample Interpolator::spline(double column, double row) const {
     for (std::size_t m = 0; m < 4; ++m)
         for (std::size_t k = 0; k < 4; ++k) {
             const double point = control(((first + int(k)) % width + width) % width, top - 1 + int(m));
-            sum.stored += down.value[m] * across.value[k] * point;
+            sum.value += down.value[m] * across.value[k] * point;
             sum.per_longitude += down.value[m] * across.slope[k] * point;
             sum.per_colatitude += down.slope[m] * across.value[k] * point;
         }

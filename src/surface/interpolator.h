@@ -4,9 +4,10 @@
 
 namespace dsphere {
 
-/// A stored value, and how it grows eastward and southward: stored units per radian.
+/// A height as the map's samples have it (Heightmap::zero), and how it grows eastward and southward: stored units per
+/// radian.
 struct HeightSample {
-    double stored = 0.0, per_longitude = 0.0, per_colatitude = 0.0;
+    double value = 0.0, per_longitude = 0.0, per_colatitude = 0.0;
     double mixed = 0.0;  ///< on a bilinear patch, which it describes entirely: how one slope grows along the other
 };
 
@@ -23,7 +24,7 @@ struct MapSteps {
     double columns_per_radian, first_column, rows_per_radian, first_row;
 };
 
-/// The stored value at any place of a map, in double: the definition of docs/scene-format.md as it stands, read from
+/// The height at any place of a map, in double: the definition of docs/scene-format.md as it stands, read from
 /// the map's own values. For single places; the marcher has its own way. Refers to the map, which must outlive it.
 class Interpolator {
   public:
@@ -32,6 +33,8 @@ class Interpolator {
     /// Of a longitude in [-pi, pi], atan2(x, z), and a colatitude in [0, pi], counted from +y. Radians. On a crease the
     /// slopes are those of one side.
     HeightSample at(double longitude, double colatitude) const;
+
+    const Heightmap& map() const { return *map_; }
 
     /// Whether heights run bilinearly, so that there are patches.
     bool isBilinear() const { return !spline_ && !map_->ripples; }

@@ -98,6 +98,7 @@ Heightmap levelOf(const Heightmap& map, int width, int height) {
     level.registration = map.registration;
     level.longitude_origin = map.longitude_origin;
     level.full_scale = map.full_scale;
+    level.zero = map.zero;
     level.path = map.path;
     level.type = map.type;
     level.north_pole = map.north_pole;

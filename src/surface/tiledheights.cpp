@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <span>
 #include <type_traits>
 
 namespace dsphere {
@@ -17,6 +18,16 @@ std::uint64_t nextId() {
 
 TiledHeights::TiledHeights(std::shared_ptr<const geo::LargeMap> source, Gaps gaps)
     : source_(std::move(source)), gaps_(std::move(gaps)), id_(nextId()) {}
+
+void TiledHeights::countFrom(float zero) {
+    zero_ = zero;
+    for (float* value :
+         {&survey_.north_pole, &survey_.south_pole, &survey_.least, &survey_.greatest, &survey_.second_least})
+        *value -= zero;
+    for (auto* values : {&survey_.cells.least, &survey_.cells.greatest, &survey_.blocks.least, &survey_.blocks.greatest,
+                         &survey_.reduced})
+        for (float& value : *values) value -= zero;
+}
 
 // Rows that follow one another in the file are read at once, and so are columns up to the seam.
 template <typename T>
@@ -48,6 +59,8 @@ void TiledHeights::readAs(int column, int row, int width, int height, T* to) con
         }
         j += count;
     }
+    if (zero_ == 0.0f) return;
+    for (T& value : std::span(to, std::size_t(width) * std::size_t(height))) value = T(value - T(zero_));
 }
 
 void TiledHeights::read(int column, int row, int width, int height, void* to) const {

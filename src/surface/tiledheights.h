@@ -14,7 +14,7 @@
 
 namespace dsphere {
 
-/// May be used by several threads at once. All values are stored ones, unknown texels filled.
+/// May be used by several threads at once. All values are stored ones, unknown texels filled, counted from zero().
 class TiledHeights {
   public:
     TiledHeights(std::shared_ptr<const geo::LargeMap> source, Gaps gaps);
@@ -29,7 +29,12 @@ class TiledHeights {
     const Survey& survey() const { return survey_; }
     void setSurvey(Survey survey) { survey_ = std::move(survey); }
 
-    /// The stored value of a texel. Texels are kept in tiles of some that were asked for last, kCacheBytes of them.
+    /// Heightmap::zero: 0 until countFrom(), which is for the time before anything is read. It must be a value of
+    /// kind().
+    float zero() const { return zero_; }
+    void countFrom(float zero);
+
+    /// The value of a texel. Texels are kept in tiles of some that were asked for last, kCacheBytes of them.
     float at(int column, int row) const;
     /// `width` x `height` samples of kind() from column and row on, row by row: columns wrap, rows beyond the map
     /// repeat its first and last.
@@ -50,6 +55,7 @@ class TiledHeights {
     std::shared_ptr<const geo::LargeMap> source_;
     Gaps gaps_;
     Survey survey_;
+    float zero_ = 0.0f;
     std::uint64_t id_;  ///< tells the tiles that a thread remembers from those of others
     mutable std::mutex mutex_;
     mutable std::list<std::pair<int, std::shared_ptr<const Tile>>> tiles_;  ///< the last asked for first

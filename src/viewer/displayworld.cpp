@@ -48,7 +48,7 @@ std::pair<double, double> heightRange(const Document& document, std::size_t shap
     const Heightmap* map = mapOf(document, shape);
     if (!map) return {0.0, 1.0};
     const HeightUnit unit = heightUnitOf(*map);
-    return std::minmax({unit.of(double(map->least)), unit.of(double(map->greatest))});
+    return std::minmax({unit.of(map->storedLeast()), unit.of(map->storedGreatest())});
 }
 
 layout::DisplayWorld displayWorld(const Document& document) {

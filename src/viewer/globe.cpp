@@ -83,15 +83,15 @@ dvec3 Globe::objectDirection(const dvec3& world) const {
     return transformVector(object_from_world_, world);
 }
 
-double Globe::storedAt(const dvec3& object_direction) const {
+double Globe::sampleAt(const dvec3& object_direction) const {
     const dvec3 d = glm::normalize(object_direction);
     const double colatitude = std::acos(std::clamp(d.y, -1.0, 1.0));
-    return Interpolator(nodes_->map(), relief_.filter).at(std::atan2(d.x, d.z), colatitude).stored;
+    return Interpolator(nodes_->map(), relief_.filter).at(std::atan2(d.x, d.z), colatitude).value;
 }
 
 double Globe::ground(const dvec3& direction) const {
     dvec3 object = objectDirection(glm::normalize(direction));
-    double radius = relief_.base + (nodes_ ? relief_.scale * storedAt(object) : 0.0);
+    double radius = relief_.base + (nodes_ ? relief_.scale * sampleAt(object) : 0.0);
     return radius / glm::length(object);
 }
 
@@ -128,7 +128,7 @@ Place Globe::placeOf(const dvec3& point) const {
     dvec3 object = objectDirection(point - centre_);
     dvec3 d = glm::normalize(object);
     Place place{glm::degrees(std::asin(std::clamp(d.y, -1.0, 1.0))), glm::degrees(std::atan2(d.x, d.z)), {}};
-    if (nodes_) place.stored = storedAt(object);
+    if (nodes_) place.stored = nodes_->map().stored(sampleAt(object));
     return place;
 }
 

@@ -49,7 +49,7 @@ class Globe {
     using Triangle = std::array<dvec3, 3>;
 
     dvec3 objectDirection(const dvec3& world) const;
-    double storedAt(const dvec3& object_direction) const;
+    double sampleAt(const dvec3& object_direction) const;
     void takePieces(const TriangleMesh& mesh);
     double distanceToDisk(const dvec3& point) const;
 

@@ -31,7 +31,7 @@ Scene explicitScene(const Document& document) {
             sphere->height_scale = scale->height_scale;
             sphere->midlevel = scale->midlevel;
         }
-        double least = map.least, top = map.greatest > map.least ? double(map.greatest) : least + 1.0;
+        const double least = map.storedLeast(), top = map.greatest > map.least ? map.storedGreatest() : least + 1.0;
         if (!sphere->height_min) sphere->height_min = least;
         if (!sphere->height_max) sphere->height_max = top;
         sphere->own_range = sphere->true_scale = false;

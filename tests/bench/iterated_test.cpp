@@ -44,7 +44,7 @@ TEST_P(Iterated, ComesToRestOnGentleHills) {
     for (double y : {-0.4, -0.1, 0.2, 0.5}) {
         const double t = search.find({0.1, y, 4.0}, {0.0, 0.0, -1.0}, pixel).value();
         const dvec3 p(0.1, y, 4.0 - t);
-        const double stored = heights.at(std::atan2(p.x, p.z), std::acos(p.y / glm::length(p))).stored;
+        const double stored = heights.at(std::atan2(p.x, p.z), std::acos(p.y / glm::length(p))).value;
         EXPECT_NEAR(glm::length(p), relief.base + relief.scale * stored, 3e-5) << y;
     }
 }

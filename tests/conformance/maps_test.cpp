@@ -67,6 +67,15 @@ RawMap byteMap() {
     return map;
 }
 
+// base and what lies `span` above it: floats of such values times a scale would lose the range's bits.
+std::function<RawMap()> farFromZero(float base, float span) {
+    return [=] {
+        RawMap map = test::randomMap(512, 256);
+        for (float& value : map.samples) value = base + std::round(value / 65535.0f * span);
+        return map;
+    };
+}
+
 class Maps : public Conformance, public testing::WithParamInterface<MapCase> {};
 
 // From near and far, aimed at the solid and beside it.
@@ -115,7 +124,10 @@ INSTANTIATE_TEST_SUITE_P(Readings, Maps,
                                          MapCase{"LonOrigin33", random(512, 256), shifted(33.0)},
                                          MapCase{"LonOrigin33Odd", random(257, 129), shifted(33.0)},
                                          MapCase{"HeightScale", fractal(), trueScale(0.004, 20000.0)},
-                                         MapCase{"HeightRange", fractal(), ranged(10000.0, 60000.0)}),
+                                         MapCase{"HeightRange", fractal(), ranged(10000.0, 60000.0)},
+                                         MapCase{"LittleContrast", farFromZero(30000, 200), ranged(30000.0, 30200.0)},
+                                         MapCase{"RadiiInMetres", farFromZero(1737400, 15000),
+                                                 trueScale(0.005, 1737400.0)}),
                          caseName<MapCase>);
 
 // Rays aimed around one texel that stands out of level ground: its flanks, its foot and its tip.

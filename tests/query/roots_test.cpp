@@ -23,7 +23,7 @@ class Roots : public QueryTest {
                 glm::normalize(dvec3(reach * uniform(-1.0, 1.0), i % 2 ? 1.0 : -1.0, reach * uniform(-1.0, 1.0)));
             const double colatitude = std::atan2(std::hypot(up.x, up.z), up.y);
             const HeightSample ground = shape.heights->at(std::atan2(up.x, up.z), colatitude);
-            const dvec3 p = (shape.base + shape.scale * ground.stored) * up;
+            const dvec3 p = (shape.base + shape.scale * ground.value) * up;
             const dvec3 away = glm::normalize(up + dvec3(uniform(-0.9, 0.9), uniform(-0.9, 0.9), uniform(-0.9, 0.9)));
             const dvec3 origin = transformPoint(shape.frame_from_device, p + uniform(0.1, 9.0) * away);
             const dvec3 direction = transformVector(shape.frame_from_device, -uniform(0.1, 9.0) * away);
@@ -38,7 +38,7 @@ class Roots : public QueryTest {
     void makeIrregular(const ShapeFrame& shape) {
         for (std::size_t i = 0; i < rays_.size(); i += 9) {
             const double pole = i % 2 ? 1.0 : -1.0;
-            const double ground = shape.base + shape.scale * shape.heights->at(0.0, i % 2 ? 0.0 : kPi).stored;
+            const double ground = shape.base + shape.scale * shape.heights->at(0.0, i % 2 ? 0.0 : kPi).value;
             const dvec3 origin = transformPoint(shape.frame_from_device, dvec3(0.0, 4.0 * pole, 0.0));
             const dvec3 direction = transformVector(shape.frame_from_device, dvec3(0.0, -pole, 0.0));
             rays_[i] = {{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}};
@@ -65,8 +65,8 @@ class Roots : public QueryTest {
                         1e-13)
                 << i;
             ASSERT_NEAR(place.colatitude, expected.colatitude, 1e-13) << i;
-            ASSERT_NEAR(place.height.stored * shape.scale, expected.height.stored * shape.scale, 1e-12) << i;
-            const double radius = shape.base + shape.scale * place.height.stored;
+            ASSERT_NEAR(place.height.value * shape.scale, expected.height.value * shape.scale, 1e-12) << i;
+            const double radius = shape.base + shape.scale * place.height.value;
             on_ground += std::abs(glm::length(place.position) - radius) < 2e-12;
         }
         EXPECT_GT(on_ground, hits_.size() * 99 / 100);  // rays that graze may move too far to be followed

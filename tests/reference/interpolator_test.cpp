@@ -23,7 +23,7 @@ void expectSame(const Heightmap& map, Filter filter) {
         if (i % 4 == 0) p = glm::normalize(dvec3(1e-4 * p.x, p.y < 0.0 ? -1.0 : 1.0, 1e-4 * p.z));  // at a pole
         const double longitude = std::atan2(p.x, p.z), colatitude = std::atan2(std::hypot(p.x, p.z), p.y);
         const HeightSample sample = interpolator.at(longitude, colatitude);
-        ASSERT_NEAR(sample.stored, surface.stored(p), 1e-12) << longitude << " " << colatitude;
+        ASSERT_NEAR(sample.value, surface.stored(p), 1e-12) << longitude << " " << colatitude;
         const double rho = std::hypot(p.x, p.z), r = surface.radius(p);
         const dvec3 east(p.z / rho, 0.0, -p.x / rho), south = glm::cross(east, p);
         const dvec3 gradient =
@@ -68,8 +68,8 @@ TEST(Interpolator, ASampleDescribesItsWholePatch) {
             ++same;
             const HeightSample from = heights.at(longitude, colatitude);
             const double there =
-                from.stored + east * from.per_longitude + south * from.per_colatitude + east * south * from.mixed;
-            ASSERT_NEAR(there, heights.at(longitude + east, colatitude + south).stored, 1e-12);
+                from.value + east * from.per_longitude + south * from.per_colatitude + east * south * from.mixed;
+            ASSERT_NEAR(there, heights.at(longitude + east, colatitude + south).value, 1e-12);
         }
         EXPECT_GT(same, 1000);
         EXPECT_FALSE(Interpolator(map, Filter::BSpline).onOnePatch(0.1, 0.1, 0.1, 0.1)) << "no such patch";

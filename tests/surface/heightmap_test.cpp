@@ -46,8 +46,37 @@ TEST(Heightmap, PolesAreTheMeansOfTheirRows) {
 
 TEST(Heightmap, TheMeanOfEqualValuesIsExact) {
     const Heightmap map = makeHeightmap(rawOf(999, 1, std::vector<float>(999, 0.1f)), shapeOf());
-    EXPECT_EQ(map.north_pole, 0.1f);
-    EXPECT_EQ(map.south_pole, 0.1f);
+    EXPECT_EQ(float(map.stored(map.north_pole)), 0.1f);
+    EXPECT_EQ(float(map.stored(map.south_pole)), 0.1f);
+}
+
+TEST(Heightmap, ValuesFarFromZeroCountFromTheLeast) {
+    const std::vector<float> values{30007, 30000, 30200, 30003};
+    const Heightmap map = makeHeightmap(rawOf(4, 1, values), shapeOf());
+    EXPECT_EQ(map.zero, 30000.0);
+    EXPECT_EQ(map.samples, (std::vector<float>{7, 0, 200, 3}));
+    EXPECT_EQ(map.north_pole, 52.5f);
+    EXPECT_EQ(map.storedLeast(), 30000.0);
+    EXPECT_EQ(map.storedGreatest(), 30200.0);
+    for (double sign : {1.0, -1.0}) {
+        DisplacedSphere shape = shapeOf();
+        shape.height_scale = 1e-3;
+        shape.midlevel = sign * 30100.0;
+        std::vector<float> signed_values;
+        for (float value : values) signed_values.push_back(float(sign) * value);
+        const Heightmap signed_map = makeHeightmap(rawOf(4, 1, signed_values), shape);
+        const Relief relief = makeRelief(shape, signed_map, kWhere);
+        for (int i = 0; i < 4; ++i) {
+            const double sample = signed_map.at(i, 0);
+            EXPECT_EQ(signed_map.stored(sample), signed_values[std::size_t(i)]);
+            EXPECT_NEAR(relief.base + relief.scale * sample,
+                        shape.radius + 1e-3 * (double(signed_values[std::size_t(i)]) - shape.midlevel), 1e-12);
+            EXPECT_NEAR(relief.h_offset + relief.h_scale * sample, double(signed_values[std::size_t(i)]), 1e-9);
+        }
+    }
+    EXPECT_EQ(makeHeightmap(rawOf(2, 1, {100, 150}), shapeOf()).zero, 100.0);
+    EXPECT_EQ(makeHeightmap(rawOf(2, 1, {100, 250}), shapeOf()).zero, 0.0);
+    EXPECT_EQ(makeHeightmap(rawOf(2, 1, {-1, 1}), shapeOf()).zero, 0.0);
 }
 
 TEST(Heightmap, GridlineRowsAtThePolesAreReplaced) {
@@ -213,8 +242,8 @@ TEST(Relief, RefusesARadiusThatIsNotFinite) {
 TEST(Heightmap, ASingleTexelIsASphere) {
     const DisplacedSphere shape = shapeOf();
     const Heightmap map = makeHeightmap(rawOf(1, 1, {0.5f}), shape);
-    EXPECT_EQ(map.north_pole, 0.5f);
-    EXPECT_EQ(map.south_pole, 0.5f);
+    EXPECT_EQ(map.stored(map.north_pole), 0.5);
+    EXPECT_EQ(map.stored(map.south_pole), 0.5);
     const Relief relief = makeRelief(shape, map, kWhere);
     EXPECT_DOUBLE_EQ(relief.least_radius, 2.5);
     EXPECT_DOUBLE_EQ(relief.greatest_radius, 2.5);

@@ -111,7 +111,7 @@ TEST(PrepareMap, WhatIsNoNumberNeedsNoWarningWhereNodataIsDeclared) {
     shape.nodata = -9999.0;
     const Heightmap map = makeHeightmap(rawOf(4, 1, {1, -9999, -HUGE_VALF, -3.4028235e38f}), shape);
     EXPECT_EQ(map.nodata_count, 3u);
-    EXPECT_EQ(map.least, 1.0f);
+    EXPECT_EQ(map.storedLeast(), 1.0);
     EXPECT_TRUE(map.notices.empty());
     RawMap masked = rawOf(3, 1, {1, kNan, -HUGE_VALF});
     masked.unknown_are_nan = true;

@@ -33,6 +33,7 @@ struct TiledCase {
     Registration registration;
     SampleKind kind;
     double max_displacement = 20.0, longitude_origin = -180.0;
+    bool far_from_zero = false;
 };
 
 void PrintTo(const TiledCase& c, std::ostream* out) {
@@ -49,6 +50,8 @@ struct Twins {
     explicit Twins(const TiledCase& c, RawMap raw, std::optional<int> unknown = {}) {
         if (c.kind == SampleKind::Int16)
             for (float& sample : raw.samples) sample = std::floor(sample / 2.0f) - 16384.0f;
+        if (c.far_from_zero)
+            for (float& sample : raw.samples) sample = 30000.0f + std::floor(sample / 300.0f);
         RawMap known = raw;
         if (unknown) {
             known.unknown_are_nan = true;
@@ -186,6 +189,7 @@ TEST_P(TiledTest, TheSplinesBlocksHoldItsValuesAndSlopes) {
 INSTANTIATE_TEST_SUITE_P(
     Maps, TiledTest,
     testing::Values(TiledCase{"fractal", 1024, 512, Registration::Texel, SampleKind::UInt16},
+                    TiledCase{"fractal", 1024, 512, Registration::Texel, SampleKind::UInt16, 20.0, -180.0, true},
                     TiledCase{"fractal", 1024, 512, Registration::Texel, SampleKind::Int16, -15.0, 0.0},
                     TiledCase{"random", 1030, 515, Registration::Texel, SampleKind::UInt16, 10.0, -37.5},
                     TiledCase{"spikes", 1024, 513, Registration::Gridline, SampleKind::UInt16, 50.0},
