@@ -198,7 +198,8 @@ void exactStep(INOUT(ExactWalk) walk, const WalkPlan plan, const Ray ray, const 
     // from there (in a crack narrower than its offset) it has to come out first; else it goes on in, as from the surface.
     bool starts_inside = start.g <= real(0) && walk.first && !walk.below && (ray.may_start_inside || !walk.at_start);
     bool emerges = walk.first && walk.at_start && !ray.may_start_inside;
-    bool rises = real(4) * middle.g > real(3) * start.g + end.g;
+    vec3 gradient = patchGradient(map, quad, start, frame.cell.y, anchoredPoint(frame.anchor, ray.d, walk.sigma));
+    bool rises = dot(gradient, ray.d) > real(0);
     bool below = start.g < real(0) && (walk.below || (emerges && rises));
     start.g = below ? start.g : max(start.g, real(0));
     Chord chord = solveChord(start, middle, end, quad);
