@@ -48,6 +48,7 @@ class SceneRenderer {
     virtual SampleSums renderSums(SampleSums start, int from, int to, std::uint32_t seed, const Progress& progress,
                                   std::uint32_t planes = kColourPlanes) = 0;
     /// The planes of `mask` for the ray through each pixel's centre; kColourPlanes among them are that ray's colour.
+    /// Lights are sampled with the numbers of sample 0 and seed 0, whatever the scene's seed.
     virtual Image renderPlanes(std::uint32_t mask, const Progress& progress) = 0;
 
     virtual const RenderStats& stats() const = 0;

@@ -85,12 +85,12 @@ WorldRay pixelRay(const Scene& scene, const Box& data, std::size_t index) {
     return {ray.origin, ray.direction};
 }
 
-/// The numbers of the pixel's planes: those of its sample 0.
-reference::SampleSource pixelSource(const Scene& scene, const Box& data, std::size_t index) {
+/// The numbers of the pixel's planes (SceneRenderer::renderPlanes).
+reference::SampleSource pixelSource(const Box& data, std::size_t index) {
     const std::size_t width = std::size_t(data.width());
     return {.x = std::uint32_t(data.x0) + std::uint32_t(index % width),
             .y = std::uint32_t(data.y0) + std::uint32_t(index / width),
-            .seed = std::uint32_t(scene.sampler.seed)};
+            .seed = 0};
 }
 
 void comparePixel(Report& report, const Comparison& comparison, const Scene& scene, const Image& image,
@@ -121,7 +121,7 @@ void comparePixel(Report& report, const Comparison& comparison, const Scene& sce
     const double reach = glm::length(written) + glm::length(transformVector(to_world, answer.object_position));
     if (!(glm::distance(written, light.position) <= 4e-7 * reach)) light.position = written;
     light.colour = Channels::at(channels.colour, i);
-    light.source = pixelSource(scene, image.data, i);
+    light.source = pixelSource(image.data, i);
     comparison.checkLight(report, i, ray, answer, light);
 }
 
@@ -178,7 +178,7 @@ Image referenceImage(const Scene& scene, const SceneMaps& maps, const Progress& 
         dvec3 colour = tracer.lights().environment(ray.direction);
         if (hit.hit) {
             const reference::ShadingPoint point = tracer.shadingPoint(hit, ray.direction);
-            const reference::SampleSource source = pixelSource(scene, image.data, i);
+            const reference::SampleSource source = pixelSource(image.data, i);
             const std::uint32_t lit = tracer.litLights(point, source);
             colour = tracer.directLight(point, source, lit);
             image.channels[5].uints()[i] = lit;
