@@ -66,6 +66,11 @@ TEST_F(AbsentListTest, TilesOfPixelsThatAreDoneMakeRoom) {
     settle({25, 10, 5});
 }
 
+TEST_F(AbsentListTest, AllTilesHaveRoomWhereMemoryAllows) {
+    packed_.memory_limit = 0;
+    EXPECT_GE(TilePool(device_, packed_).slots(), 40u);
+}
+
 TEST_F(AbsentListTest, OnePixelMayNeedAllThatThereIsRoomFor) {
     settle({32});
     const std::string message = messageOf(ExitCode::Failure, [&] { settle({33}); });
