@@ -48,10 +48,8 @@ vec3 gradientOf(const vec3 p, const real rho, const real radius, const real slop
 // Coefficients of 1, fu, fv and fu fv of the bilinear patch over a cell, from its four corners: `cell` is the north-west
 // one; the column after the last is the first.
 vec4 bilinearOf(const MapData map, const real scale, const ivec2 cell) {
-    vec4 stored = cornersAt(map, cell);
-    real nw = scale * stored.x;
-    real ne = scale * stored.y;
-    real sw = scale * stored.z;
-    real se = scale * stored.w;
-    return vec4(nw, ne - nw, sw - nw, (se - sw) - (ne - nw));
+    // Scaled last: differences of a file's integers are exact, and slopes beside a pole need them so.
+    vec4 at = cornersAt(map, cell);
+    real north = at.y - at.x;
+    return vec4(scale * at.x, scale * north, scale * (at.z - at.x), scale * ((at.w - at.z) - north));
 }
