@@ -61,9 +61,12 @@ Comparison::Judgement Comparison::judge(const WorldRay& ray, const Answer& answe
                                         double& share) const {
     share = 0.0;
     if (!answer.hit && !truth.hit) return Judgement::Right;
+    // Of several shapes that hold the start any is first.
+    if (answer.inside && truth.inside && answer.t == truth.t() &&
+        tracer_.hitShape(answer.shape, tracer_.objectRay(answer.shape, ray.origin, ray.direction)).inside)
+        return Judgement::Right;
     if (answer.hit != truth.hit || answer.shape != truth.shape || answer.inside != truth.inside)
         return Judgement::WrongVerdict;
-    if (answer.inside && answer.t == truth.t()) return Judgement::Right;  // the start itself; it may have no normal
     double error = answer.t - truth.t();
     share = std::abs(error) / alongRayBound(ray, answer, truth);
     if (share <= 1.0) return Judgement::Right;
