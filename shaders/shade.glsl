@@ -74,7 +74,7 @@ int levelFor(const int k, const ObjectData object, const Ray ray) {
 
 // Whether objects of the kinds meant are the main one alone.
 bool meansMain(const int kinds) {
-    return kObjectCount == 1 || (kinds == kDisplaced && kOnlyDisplaced >= 0);
+    return kOneObject || (kinds == kDisplaced && kOnlyDisplaced >= 0);
 }
 
 // Object k, one of the kinds meant.
@@ -122,7 +122,7 @@ Segment firstSegment(const real safe_s) {
 
 // P' of object `from` in the space of object k.
 vec3 startFor(const int k, const ObjectData object, const int from, const vec3 start) {
-    if (kObjectCount == 1 || k == from) return start;
+    if (kOneObject || k == from) return start;
     return objectFromWorldPoint(object, worldFromObjectPoint(objects[from], start));
 }
 
@@ -136,7 +136,7 @@ Ray segmentRay(const Segment segment, const int k, const ObjectData object) {
 // A retried first ray starts where the filter's certainty ended.
 void startClear(INOUT(Ray) ray, const Segment segment) {
     if (!kIsRetry) return;
-    if (kObjectCount == 1 && segment.safe_s > ray.s_min) {
+    if (kOneObject && segment.safe_s > ray.s_min) {
         ray.s_min = segment.safe_s;
         ray.may_start_inside = false;
     }
@@ -222,11 +222,11 @@ void takeHit(INOUT(SurfacePoint) best, const int k, const ObjectData object, con
     best.steps += hit.steps;
     best.exhausted = best.exhausted || hit.exhausted;
     best.doubtful = best.doubtful || hit.doubtful;
-    if (kObjectCount == 1) best.safe_s = hit.safe_s;
+    if (kOneObject) best.safe_s = hit.safe_s;
     vec3 from_first = fromCentre(object, hit.p) + XYZ(object.from_first);
     vec3 towards = towardsHit(segment, k, object, hit.p, from_first);
     real t = hit.inside ? real(0) : length(towards);
-    if (hit.hit && (kObjectCount == 1 || isNearer(best, t, towards, from_first))) {
+    if (hit.hit && (kOneObject || isNearer(best, t, towards, from_first))) {
         best.hit = true;
         best.inside = hit.inside;
         best.object = k;
@@ -275,7 +275,7 @@ SurfacePoint noPoint() {
 SurfacePoint nearestHit(const Segment segment) {
     SurfacePoint best = noPoint();
     // Not even a loop of one iteration is free: it stands between the driver and what it could do once (rule L3).
-    if (kObjectCount == 1) {
+    if (kOneObject) {
         considerObject(best, 0, segment, ~0);
         return best;
     }
@@ -347,7 +347,7 @@ bool shades(const int k, const SurfacePoint point, const vec3 place, const bool 
 
 // Whether an object other than `except` stands between; `except` is -1, or a plain object that is the light itself.
 bool isShaded(const SurfacePoint point, const vec3 place, const bool ends, const int except, INOUT(Searches) searches) {
-    if (kObjectCount == 1) return shades(0, point, place, ends, ~0, searches) && except != 0;
+    if (kOneObject) return shades(0, point, place, ends, ~0, searches) && except != 0;
     bool shaded = false;
     if (kOnlyPlain >= 0)
         shaded = shades(kOnlyPlain, point, place, ends, kPlain, searches) && except != kOnlyPlain;

@@ -1,4 +1,5 @@
 // The scene is a displaced sphere alone.
+const bool kOneObject = true;
 const int kObjectCount = 1;
 const int kOnlyDisplaced = 0;
 const int kOnlyPlain = -1;

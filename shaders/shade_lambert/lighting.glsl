@@ -50,6 +50,13 @@ LightData lightOf(const int k) {
     return lights[k];
 }
 
+// The light of a hit whose visible lights are known.
+void addLight(INOUT(Gathered) result) {
+    result.albedo = albedoOf(result.point);
+    result.lit = kShadows == 0 ? ~0u : result.lit;
+    result.colour = directLight(result.point, result.albedo, result.lit);
+}
+
 // gatherDirect() of a scene's only object: one loop through the first ray and those to the lights, in which the search
 // stands once, not twice: the retry has few rays, and drivers make its code sooner.
 Gathered gatherInOneLoop(const Segment segment) {
@@ -74,26 +81,21 @@ Gathered gatherInOneLoop(const Segment segment) {
         turn += 1;
     }
     result.point = point;
-    if (kWantsLight && point.hit) {
-        result.albedo = albedoOf(point);
-        result.lit = kShadows == 0 ? ~0u : result.lit;
-        result.colour = directLight(point, result.albedo, result.lit);
-    }
+    if (kWantsLight && point.hit) addLight(result);
     return result;
 }
 
 // The nearest hit, and its light if that is wanted.
 Gathered gatherDirect(const Segment segment) {
     if (kIsRetry) {
-        if (kObjectCount == 1) return gatherInOneLoop(segment);
+        if (kOneObject) return gatherInOneLoop(segment);
     }
     Gathered result = nothingGathered();
     result.point = nearestHit(segment);
     result.searches.doubtful = result.point.doubtful;
     if (kWantsLight && result.point.hit && !result.searches.doubtful) {
-        result.albedo = albedoOf(result.point);
-        result.lit = kShadows == 0 ? ~0u : visibleLights(result.point, result.searches);
-        result.colour = directLight(result.point, result.albedo, result.lit);
+        if (kShadows != 0) result.lit = visibleLights(result.point, result.searches);
+        addLight(result);
     }
     return result;
 }

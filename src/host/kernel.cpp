@@ -133,6 +133,7 @@ struct Invocation {
     const Specialization& spec;
     const int kMarcher = int(spec[SPEC_MARCHER]), kLightCount = int(spec[SPEC_LIGHT_COUNT]);
     const int kObjectCount = int(spec[SPEC_OBJECT_COUNT]), kKinds = int(spec[SPEC_KINDS]);
+    const bool kOneObject = kObjectCount == 1;
     const int kOnlyDisplaced = int(spec[SPEC_ONLY_DISPLACED]), kOnlyPlain = int(spec[SPEC_ONLY_PLAIN]);
     const uint kPlanes = spec[SPEC_PLANES], kRetryStride = spec[SPEC_RETRY_STRIDE];
     const int kImages = int(spec[SPEC_IMAGES]), kLightKinds = int(spec[SPEC_LIGHT_KINDS]);

@@ -7,6 +7,7 @@
 #include "shaders/render_baseline.variants.h"
 #include "shaders/render_filter.variants.h"
 #include "shaders/render_full.variants.h"
+#include "shaders/render_planet_baseline.variants.h"
 #include "shaders/render_planet_filter.variants.h"
 #include "shaders/render_planet_full.variants.h"
 
@@ -38,7 +39,7 @@ std::vector<gpu::Resource> bindAll(const DeviceScene& scene, const gpu::StorageI
 
 const Shaders kFilter = {kVariants_render_filter, kVariants_render_planet_filter};
 const Shaders kFull = {kVariants_render_full, kVariants_render_planet_full};
-const Shaders kBaseline = {kVariants_render_baseline, kVariants_render_baseline};
+const Shaders kBaseline = {kVariants_render_baseline, kVariants_render_planet_baseline};
 
 }  // namespace
 
