@@ -76,12 +76,16 @@ int runVerify(const VerifyOptions& options) {
     }
     AnyDevice device(options.common);
     const PackedScene packed = packScene(scene, maps);
-    const auto renderer = device.makeRenderer(packed, scene, options.scene.marcher);
+    Image planes;
+    {  // what the renderer holds is free for the reference after this
+        const auto renderer = device.makeRenderer(packed, scene, options.scene.marcher);
+        planes = renderer->renderPlanes(kVerifyPlanes, {});
+    }
     verify::Outcome outcome;
     {
         ProgressLine line(options.common.progress, options.common.quiet, "verify");
-        outcome = verify::verifyScene(*renderer, scene, maps, options.samples,
-                                      [&](double share) { return line.update(share); });
+        outcome = verify::verifyPlanes(std::move(planes), scene, maps, options.samples,
+                                       [&](double share) { return line.update(share); });
     }
     device.checkValidation();
     const verify::Report& report = outcome.report;

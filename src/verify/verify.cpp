@@ -144,11 +144,10 @@ Report inChunks(const std::vector<std::size_t>& pixels, const Progress& progress
 
 }  // namespace
 
-Outcome verifyScene(SceneRenderer& renderer, const Scene& scene, const SceneMaps& maps, std::uint64_t samples,
-                    const Progress& progress) {
+Outcome verifyPlanes(Image planes, const Scene& scene, const SceneMaps& maps, std::uint64_t samples,
+                     const Progress& progress) {
     Outcome outcome;
-    outcome.device = renderer.renderPlanes(kVerifyPlanes, {});
-    outcome.stats = renderer.stats();
+    outcome.device = std::move(planes);
     Comparison comparison(scene, maps);
     Channels channels(outcome.device);
     outcome.report = inChunks(
@@ -158,11 +157,9 @@ Outcome verifyScene(SceneRenderer& renderer, const Scene& scene, const SceneMaps
     return outcome;
 }
 
-Outcome verifyScene(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const Options& options,
+Outcome verifyScene(SceneRenderer& renderer, const Scene& scene, const SceneMaps& maps, std::uint64_t samples,
                     const Progress& progress) {
-    PackedScene packed = packScene(scene, maps);
-    Renderer renderer(device, packed, scene, options.marcher);
-    return verifyScene(renderer, scene, maps, options.samples, progress);
+    return verifyPlanes(renderer.renderPlanes(kVerifyPlanes, {}), scene, maps, samples, progress);
 }
 
 Image referenceImage(const Scene& scene, const SceneMaps& maps, const Progress& progress) {

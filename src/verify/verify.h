@@ -6,25 +6,17 @@
 
 namespace dsphere::verify {
 
-struct Options {
-    Marcher marcher = Marcher::Exact;
-    std::uint64_t samples = 0;  ///< pixels to compare, drawn with a fixed seed; 0: all
-};
-
 struct Outcome {
     Report report;
     Image device;  ///< kVerifyPlanes
-    RenderStats stats;
 };
 
-/// Renders all planes of the scene with a renderer of it, and holds `samples` pixels (drawn with a fixed seed; 0: all)
-/// against the certified reference. Uses all cores. Errors of rendering; Error (Interrupted) when `progress` says stop.
+/// Holds `samples` pixels (drawn with a fixed seed; 0: all) of kVerifyPlanes, as renderPlanes() of a renderer of the
+/// scene gives them, against the certified reference. Uses all cores. Error (Interrupted) when `progress` says stop.
+Outcome verifyPlanes(Image planes, const Scene& scene, const SceneMaps& maps, std::uint64_t samples,
+                     const Progress& progress);
+/// The same of planes that it renders first. Errors of rendering, too.
 Outcome verifyScene(SceneRenderer& renderer, const Scene& scene, const SceneMaps& maps, std::uint64_t samples,
-                    const Progress& progress);
-
-/// Renders all planes of the scene on the device and holds its pixels against the certified reference. Uses all cores.
-/// Errors of rendering; Error (Interrupted) when `progress` says stop.
-Outcome verifyScene(gpu::Device& device, const Scene& scene, const SceneMaps& maps, const Options& options,
                     const Progress& progress);
 
 /// The reference's own picture of the same scene: R, G, B, t, id and lit at the pixels' centres.
