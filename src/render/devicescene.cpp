@@ -200,8 +200,12 @@ struct DeviceScene::Layout {
                              grid.map().path, grid.map().width, grid.map().height, grid.width(), grid.rows() + 1,
                              device.info().name, limit, limit);
             uses.push_back(useOf(packed, i));
-            height_places.push_back(uses[i].heights ? heights.addBeside(grid.width(), grid.rows() + 1)
-                                                    : Stack::Place{0, 0});
+            // The maps' own heights start at the image's left edge: see heightAt in lookups.glsl.
+            const bool is_level = i >= packed.nodes.size() - packed.halves.size();
+            const auto placeHeights = [&](int width, int height) {
+                return is_level ? heights.addBeside(width, height) : heights.add(width, height);
+            };
+            height_places.push_back(uses[i].heights ? placeHeights(grid.width(), grid.rows() + 1) : Stack::Place{0, 0});
             node_places.push_back(uses[i].spline ? nodes.add(grid.width(), grid.rows() + 1) : Stack::Place{0, 0});
         }
         for (const PackedRelief& relief : packed.reliefs) {
