@@ -250,6 +250,7 @@ void addBake(CLI::App& app, Action& action) {
         ->check(CLI::Range(1e-5, 45.0))
         ->type_name("DEGREES");
     command->add_option("--exaggeration", options->scene.exaggeration, "Multiply all displacements")->type_name("X");
+    addMapOptions(*command, options->scene.map);
     addCommonOptions(*command, options->common);
     command->callback([options, &action] { action = [options] { return runBake(*options); }; });
 }

@@ -165,6 +165,7 @@ void addQuery(CLI::App& app, Action& action) {
     command->add_flag("--certify", options->certify,
                       "Ask the certified reference too; exit code 5 where the device is wrong");
     command->add_option("--exaggeration", options->scene.exaggeration, "Multiply all displacements")->type_name("X");
+    addMapOptions(*command, options->scene.map);
     addCommonOptions(*command, options->common);
     command->callback([options, &action] { action = [options] { return runQuery(*options); }; });
 }

@@ -57,6 +57,18 @@ TEST_F(QueryCli, AnArrayIsWrittenWhole) {
               "'<u4'), ('lit', '<u4')], 'fortran_order': False, 'shape': (5,), }"));
 }
 
+TEST_F(QueryCli, AMapsOptionsAreThoseOfRender) {
+    folder_.write("flat.pgm", "P2 2 1 255\n7 7\n");
+    const std::vector<std::string> arguments = {"query", "flat.pgm", "rays.csv", "-o",
+                                                "-",     "--fields", "status,t", "--quiet"};
+    std::vector<std::string> with = arguments;
+    for (const char* option : {"--radius=2", "--heightmin=0", "--heightmax=14", "--maxdispl=50"})
+        with.push_back(option);
+    EXPECT_EQ(run(with).out, "status,t\n1,1.5\n0,nan\n255,nan\n2,0\n1,1.0012507822280912\n");
+    with[1] = "planet.pbrt";
+    EXPECT_EQ(run(with).code, 2);
+}
+
 TEST_F(QueryCli, CertifyAddsTheProof) {
     const Outcome outcome = query({"rays.csv", "-o", "hits.csv", "--certify"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
