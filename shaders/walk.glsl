@@ -5,6 +5,9 @@ const real kChordShare = real(0.0125);
 const real kShortestChord = real(2.5e-7);
 // A ray that comes this close to a parallel touches it; the frame's own rounding is about 1e-9.
 const real kTouch = real(1e-7);
+// No crack that a secondary ray's start lies beside is as deep. Rays that start deeper are those of an eye inside the solid: their
+// way out would be long, and nothing is lit there.
+const real kDeepestCrack = real(0.01);
 // How far from 0 the parabola's verdict is trusted; the contract excuses 1e-6.
 const real kTrust = real(3e-8);
 
@@ -197,7 +200,7 @@ void exactStep(INOUT(ExactWalk) walk, const WalkPlan plan, const Ray ray, const 
     // The ray came from above a bound, so only its own start can lie deeper inside than rounding. Where a secondary ray rises
     // from there (in a crack narrower than its offset) it has to come out first; else it goes on in, as from the surface.
     bool starts_inside = start.g <= real(0) && walk.first && !walk.below && (ray.may_start_inside || !walk.at_start);
-    bool emerges = walk.first && walk.at_start && !ray.may_start_inside;
+    bool emerges = walk.first && walk.at_start && !ray.may_start_inside && start.g > -kDeepestCrack;
     vec3 gradient = patchGradient(map, quad, start, frame.cell.y, anchoredPoint(frame.anchor, ray.d, walk.sigma));
     bool rises = dot(gradient, ray.d) > real(0);
     bool below = start.g < real(0) && (walk.below || (emerges && rises));
@@ -207,8 +210,9 @@ void exactStep(INOUT(ExactWalk) walk, const WalkPlan plan, const Ray ray, const 
     bool unsure = chord.miss > kTrust && chord.lowest <= chord.miss;
     bool halve = unsure && !starts_inside && length_of_chord > real(4) * kShortestChord;
     bool enters = chord.lowest <= real(0) && (!below || comesOut(chord));
-    // A chord without length leads from where rounding put the start to its true cell.
-    bool empty = !(far > walk.sigma);
+    // A chord without length leads from where rounding put the start to its true cell; on the axis, where all columns meet,
+    // to no other.
+    bool empty = !(far > walk.sigma) && here.rho > kOnAxis;
     walk.hit = !empty && (starts_inside || (enters && !halve));
     walk.inside = walk.hit && starts_inside && walk.at_start;
     walk.low = walk.sigma;

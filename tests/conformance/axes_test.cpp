@@ -70,6 +70,18 @@ TEST_F(Axes, UpTheAxisOntoTheSouthPole) {
     expectContractButNormals(probe(sphereWorld(steepMap(), 15.0), poleRays(-1.0)));
 }
 
+TEST_F(Axes, FromTheCentreAndTheAxisWithin) {
+    Random random(6);
+    Queries rays;
+    for (int k = 0; k < kRays; ++k) {
+        const double y = k % 2 ? 0.0 : uniform(random, -0.8, 0.8);
+        rays.push_back({.origin = {0.0, y, 0.0}, .direction = randomUnit(random)});
+    }
+    const verify::Report report = probe(sphereWorld(steepMap(), 15.0), rays);
+    expectContract(report);
+    EXPECT_EQ(report.hits, report.rays);
+}
+
 // The cosines of its first parallels round to those of their neighbours.
 TEST_F(Axes, BesideThePolesOfATallMap) {
     Random random(5);
