@@ -202,10 +202,11 @@ struct DeviceScene::Layout {
             uses.push_back(useOf(packed, i));
             // The maps' own heights start at the image's left edge: see heightAt in lookups.glsl.
             const bool is_level = i >= packed.nodes.size() - packed.halves.size();
-            const auto placeHeights = [&](int width, int height) {
-                return is_level ? heights.addBeside(width, height) : heights.add(width, height);
-            };
-            height_places.push_back(uses[i].heights ? placeHeights(grid.width(), grid.rows() + 1) : Stack::Place{0, 0});
+            Stack::Place place{0, 0};
+            if (uses[i].heights)
+                place = is_level ? heights.addBeside(grid.width(), grid.rows() + 1)
+                                 : heights.add(grid.width(), grid.rows() + 1);
+            height_places.push_back(place);
             node_places.push_back(uses[i].spline ? nodes.add(grid.width(), grid.rows() + 1) : Stack::Place{0, 0});
         }
         for (const PackedRelief& relief : packed.reliefs) {

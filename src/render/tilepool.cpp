@@ -79,7 +79,8 @@ TilePool::Layout TilePool::layoutOf(const gpu::Device& device, const PackedScene
     layout.slots_x = int(std::min<std::uint64_t>(slots, kSlotsAcross));
     layout.slots_y = int(std::clamp<std::uint64_t>(slots / (kLeastLayers * kSlotsAcross), 1, kSlotsDown));
     const std::uint64_t of_layer = std::uint64_t(layout.slots_x) * std::uint64_t(layout.slots_y);
-    const std::uint64_t last = slots == tiles ? of_layer - 1 : 0;  // where all have room the last layer is filled in part
+    // Where all have room, the last layer may be part full.
+    const std::uint64_t last = slots == tiles ? of_layer - 1 : 0;
     layout.layers =
         int(std::clamp<std::uint64_t>((slots + last) / of_layer, kLeastLayers, device.limits().max_image_array_layers));
     return layout;

@@ -307,11 +307,8 @@ Heightmap loadHeightmap(const DisplacedSphere& shape, std::uint64_t most_held, c
 }
 
 Relief makeRelief(const DisplacedSphere& shape, const Heightmap& map, const SourceLocation& where) {
-    // A map of one value alone lies at h = 0.
-    const double own_least = map.storedLeast();
-    const double own_top = map.greatest > map.least ? map.storedGreatest() : own_least + 1.0;
-    const double height_min = shape.height_min.value_or(shape.own_range ? own_least : 0.0);
-    const double height_max = shape.height_max.value_or(shape.own_range ? own_top : map.full_scale);
+    const double height_min = shape.height_min.value_or(shape.own_range ? map.storedLeast() : 0.0);
+    const double height_max = shape.height_max.value_or(shape.own_range ? map.ownTop() : map.full_scale);
     Relief relief;
     relief.filter = shape.filter;
     relief.smooth_normals = shape.smooth_normals && !shape.ripples && shape.filter == Filter::Bilinear;

@@ -43,6 +43,8 @@ struct Heightmap {
     double stored(double sample) const { return zero + sample; }
     double storedLeast() const { return stored(least); }
     double storedGreatest() const { return stored(greatest); }
+    /// What means h = 1 where the map's own range is drawn: a map of one value alone lies at h = 0.
+    double ownTop() const { return greatest > least ? storedGreatest() : storedLeast() + 1.0; }
 
     float at(int i, int j) const {
         return tiled ? tiledAt(i, j) : samples[std::size_t(j) * std::size_t(width) + std::size_t(i)];

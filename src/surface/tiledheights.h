@@ -14,7 +14,8 @@
 
 namespace dsphere {
 
-/// May be used by several threads at once. All values are stored ones, unknown texels filled, counted from zero().
+/// May be used by several threads at once. All values are stored ones, unknown texels filled, counted from the value of
+/// countFrom().
 class TiledHeights {
   public:
     TiledHeights(std::shared_ptr<const geo::LargeMap> source, Gaps gaps);
@@ -29,9 +30,7 @@ class TiledHeights {
     const Survey& survey() const { return survey_; }
     void setSurvey(Survey survey) { survey_ = std::move(survey); }
 
-    /// Heightmap::zero: 0 until countFrom(), which is for the time before anything is read. It must be a value of
-    /// kind().
-    float zero() const { return zero_; }
+    /// Takes Heightmap::zero, a value of kind(), away from all values and the survey; before anything is read.
     void countFrom(float zero);
 
     /// The value of a texel. Texels are kept in tiles of some that were asked for last, kCacheBytes of them.

@@ -31,9 +31,8 @@ Scene explicitScene(const Document& document) {
             sphere->height_scale = scale->height_scale;
             sphere->midlevel = scale->midlevel;
         }
-        const double least = map.storedLeast(), top = map.greatest > map.least ? map.storedGreatest() : least + 1.0;
-        if (!sphere->height_min) sphere->height_min = least;
-        if (!sphere->height_max) sphere->height_max = top;
+        if (!sphere->height_min) sphere->height_min = map.storedLeast();
+        if (!sphere->height_max) sphere->height_max = map.ownTop();
         sphere->own_range = sphere->true_scale = false;
     }
     return scene;
