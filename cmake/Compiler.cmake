@@ -24,6 +24,26 @@ if(DSPHERE_FUZZ)
     add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
+# dsphere_precompiled_headers(name header...): headers that many files include, parsed once for all targets that
+# dsphere_precompile(target name). Each file still includes all that it needs: the preset `fuzz` builds without.
+option(DSPHERE_PRECOMPILE "Parse common headers once for all files" ON)
+function(dsphere_precompiled_headers name)
+    file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp CONTENT "")
+    add_library(${name} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+    target_precompile_headers(${name} PRIVATE ${ARGN})
+endfunction()
+
+function(dsphere_precompile target name)
+    if(DSPHERE_PRECOMPILE)
+        target_precompile_headers(${target} REUSE_FROM ${name})
+    endif()
+endfunction()
+
+# dsphere_optimize_less(target): a quarter to a third less to compile, for code that takes no time itself.
+function(dsphere_optimize_less target)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # dsphere_library(name sources... LINK targets...): one library a folder of src/.
 function(dsphere_library name)
     cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
@@ -31,6 +51,7 @@ function(dsphere_library name)
     target_include_directories(dsphere_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
     target_link_libraries(dsphere_${name} PUBLIC ${ARG_LINK})
     set_target_properties(dsphere_${name} PROPERTIES EXPORT_NAME ${name})
+    dsphere_precompile(dsphere_${name} dsphere_headers)
 endfunction()
 
 # dsphere_unity(target [files]): so many files, 12 by default, are compiled as one where their common headers, of GoogleTest,
@@ -48,6 +69,14 @@ function(dsphere_unity target)
     endif()
 endfunction()
 
+# dsphere_test_options(target): how tests are compiled, and the headers that they share.
+function(dsphere_test_options target)
+    dsphere_optimize_less(${target})
+    if(DSPHERE_SANITIZE)  # GCC then follows variables for minutes, and takes some of std::regex's for uninitialized
+        target_compile_options(${target} PRIVATE -O1 -g1 -Wno-maybe-uninitialized)
+    endif()
+endfunction()
+
 # dsphere_test(name sources... LINK targets... [LABEL label] [SHARDS n]): one GoogleTest program, its cases named in ctest
 # and labelled (default: fast). With SHARDS they are dealt out to n runs of it instead, where they share a device and the
 # pipelines that it has made; ctest then knows them by their names where DSPHERE_CASES is set in the environment.
@@ -59,12 +88,9 @@ function(dsphere_test name)
     add_executable(${name}_test ${ARG_UNPARSED_ARGUMENTS})
     target_include_directories(${name}_test PRIVATE ${PROJECT_SOURCE_DIR})
     dsphere_unity(${name}_test)
+    dsphere_precompile(${name}_test dsphere_test_headers)
     target_link_libraries(${name}_test PRIVATE ${ARG_LINK} GTest::gtest_main)
-    # A third less to compile, and as fast: nearly all that takes time in tests is in the libraries.
-    target_compile_options(${name}_test PRIVATE $<$<CONFIG:Release>:-O1>)
-    if(DSPHERE_SANITIZE)  # GCC then follows variables for minutes, and takes some of std::regex's for uninitialized
-        target_compile_options(${name}_test PRIVATE -O1 -g1 -Wno-maybe-uninitialized)
-    endif()
+    dsphere_test_options(${name}_test)
     target_compile_definitions(${name}_test PRIVATE DSPHERE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     get_directory_property(found TEST_INCLUDE_FILES)
     gtest_discover_tests(${name}_test TEST_PREFIX "${name}." PROPERTIES TIMEOUT 300 LABELS ${ARG_LABEL}

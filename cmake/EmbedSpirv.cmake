@@ -1,6 +1,12 @@
-# cmake -D INPUT=x.spv -D OUTPUT=x.spv.h -D NAME=kSpirv_x -P EmbedSpirv.cmake: SPIR-V, little-endian, as an array of words.
-file(READ ${INPUT} bytes HEX)
-string(REGEX REPLACE "(..)(..)(..)(..)" "0x\\4\\3\\2\\1," words "${bytes}")
-string(REGEX REPLACE "(...........,...........,...........,...........,...........,...........,...........,...........,)" "\\1\n"
-       words "${words}")
-file(WRITE ${OUTPUT} "#pragma once\n#include <cstdint>\nconst std::uint32_t ${NAME}[] = {\n${words}};\n")
+# cmake -D INPUT=x.spv -D OUTPUT=x.spv.h -D NAME=kSpirv_x -P EmbedSpirv.cmake: a header with SPIR-V as an array of words. The
+# assembler takes them from the file itself: as text they were 30 MB for the compiler to read. The name is local to each
+# file that includes the header; the sum tells caches of compilers that the words are others.
+file(SIZE ${INPUT} bytes)
+math(EXPR words "${bytes} / 4")
+file(SHA256 ${INPUT} sum)
+file(WRITE ${OUTPUT} "#pragma once
+#include <cstdint>
+// ${sum}
+asm(\".pushsection .rodata\\n.balign 4\\n${NAME}:\\n.incbin \\\"${INPUT}\\\"\\n.popsection\");
+extern \"C\" const std::uint32_t ${NAME}[${words}];
+")

@@ -48,13 +48,18 @@ set(DSPHERE_VARIANT_lean patch_bilinear shade_lambert)
 set(DSPHERE_VARIANT_curved patch_curved shade_lambert)
 set(DSPHERE_VARIANT_paths patch_curved shade_paths)
 
-# dsphere_shader_variants(target name shader.comp [folder...]): all three, and the header shaders/<name>.variants.h with them
-# as `kVariants_<name>`.
+# dsphere_shader_variants(target name shader.comp folder... [WITHOUT variant...]): all three, and the header
+# shaders/<name>.variants.h with them as `kVariants_<name>`. `paths`, which knows all, stands in for those left out.
 function(dsphere_shader_variants target name shader)
+    cmake_parse_arguments(PARSE_ARGV 3 ARG "" "" "WITHOUT")
     set(includes "")
     set(arrays "")
     foreach(variant ${DSPHERE_VARIANTS})
-        dsphere_shader_variant(${target} ${name}_${variant} ${shader} ${ARGN} ${DSPHERE_VARIANT_${variant}})
+        if(variant IN_LIST ARG_WITHOUT)
+            list(APPEND arrays kSpirv_${name}_paths)
+            continue()
+        endif()
+        dsphere_shader_variant(${target} ${name}_${variant} ${shader} ${ARG_UNPARSED_ARGUMENTS} ${DSPHERE_VARIANT_${variant}})
         string(APPEND includes "#include \"shaders/${name}_${variant}.spv.h\"\n")
         list(APPEND arrays kSpirv_${name}_${variant})
     endforeach()
