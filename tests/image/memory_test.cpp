@@ -43,7 +43,7 @@ std::uint64_t peakOfReading(const std::filesystem::path& path) {
     return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? std::uint64_t(usage.ru_maxrss) * 1024 : 0;
 }
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kSanitized = true;
 #else
 constexpr bool kSanitized = false;
