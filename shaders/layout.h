@@ -69,7 +69,8 @@ using uint = std::uint32_t;
 #define SPEC_TURNS 24           // pixels that an invocation takes, one after the other; shade_paths alone
 #define SPEC_HIDE_DISTANCE 25   // 1: camera rays that miss see no infinite light; shade_paths alone
 #define SPEC_TILES 26           // 0: the scene has no map in tiles; 1: it has; 2: and their tiles have a TILE_MARGIN
-#define SPEC_COUNT 27
+#define SPEC_RAMPS 27           // 1 if an object is coloured by a ramp
+#define SPEC_COUNT 28
 
 #define MARCHER_EXACT 0
 #define MARCHER_NAIVE 1        // the seed's: from the camera

@@ -159,12 +159,14 @@ real imageFloat(const int x, const int y, const int layer) {
 
 // The light of a texel at (x, y) of a layer: the only place that knows how images of `height` rows lie on the device.
 vec3 placedTexel(const int image, const int x, const int y, const int layer, const int height) {
-    if (image == IMAGE_CODES) {
-        uint codes = imageWord(x, y, layer);
-        return vec3(imageFloat(int(codes & 255u), 0, 0), imageFloat(int(codes >> 8 & 255u), 0, 0),
-                    imageFloat(int(codes >> 16), 0, 0));
-    }
-    return vec3(imageFloat(x, y, layer), imageFloat(x, y + height, layer), imageFloat(x, y + 2 * height, layer));
+    // No branch: lavapipe would run both sides of it.
+    uint word = imageWord(x, y, layer);
+    bool coded = image == IMAGE_CODES;
+    ivec3 red = coded ? ivec3(int(word & 255u), 0, 0) : ivec3(x, y, layer);
+    int green = coded ? int(word >> 8 & 255u) : x;
+    int blue = coded ? int(word >> 16) : x;
+    int rows = coded ? 0 : height;
+    return vec3(imageFloat(red.x, red.y, red.z), imageFloat(green, red.y + rows, red.z), imageFloat(blue, red.y + 2 * rows, red.z));
 }
 
 vec3 imageTexel(const ObjectData o, const int column, const int row) {

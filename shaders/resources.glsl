@@ -22,6 +22,7 @@ layout(constant_id = SPEC_LIGHT_COUNT) const int kLightCount = 0;
 #include "objectcount.glsl"
 layout(constant_id = SPEC_PLANES) const uint kPlanes = 0u;
 layout(constant_id = SPEC_IMAGES) const int kImages = 0;
+layout(constant_id = SPEC_RAMPS) const int kRamps = 0;
 layout(constant_id = SPEC_LIGHT_KINDS) const int kLightKinds = 1;
 layout(constant_id = SPEC_SURFACES) const int kSurfaces = 1;
 layout(constant_id = SPEC_TURNS) const int kTurns = 1;

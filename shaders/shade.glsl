@@ -319,7 +319,7 @@ vec3 albedoOf(const SurfacePoint point) {
     if (kPaths) {
         if (kCheckerboards != 0 && materials[point.object].checkerboard != 0) return checkerColour(point);
     }
-    if (point.ramp < 0) return point.albedo;
+    if (kRamps == 0 || point.ramp < 0) return point.albedo;
     real place = clamp(point.h, real(0), real(1)) * real(RAMP_POINTS - 1);
     int k = min(int(place), RAMP_POINTS - 2);
     int first = point.ramp * RAMP_POINTS + k;

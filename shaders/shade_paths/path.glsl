@@ -7,7 +7,10 @@ const uint kPairLobe = 2u;   // and roulette
 const uint kPairChoice = 3u;  // of one light
 const uint kPairLights = 4u;
 
+// Russian roulette from vertex 1 on: before kRouletteFrom it ends only paths whose light counts for less than kSureThroughput of the
+// picture's, so that noise hardly grows (docs/notebook.md).
 const int kRouletteFrom = 4;
+const real kSureThroughput = real(1.0 / 4.0);
 
 // The sample numbers of one path.
 struct Numbers {
@@ -200,8 +203,9 @@ void reflectPath(INOUT(Path) path, const Vertex vertex) {
         path.softened = true;
         path.going = kDiffusePaths != 0 && max(path.throughput.x, max(path.throughput.y, path.throughput.z)) > real(0);
     }
-    if (n >= kRouletteFrom) {
-        real chance = min(max(path.throughput.x, max(path.throughput.y, path.throughput.z)), real(0.95));
+    if (kDiffusePaths != 0 && n > 0) {
+        real greatest = max(path.throughput.x, max(path.throughput.y, path.throughput.z));
+        real chance = n < kRouletteFrom ? min(greatest / kSureThroughput, real(1)) : min(greatest, real(0.95));
         path.going = path.going && lobe.y < chance;
         path.throughput /= max(chance, real(1e-6));
     }

@@ -37,6 +37,7 @@ Specialization specializationOf(const SceneTraits& traits, float stride, const M
     specialization[SPEC_TILES] = traits.tiles ? (traits.curved() ? 2 : 1) : 0;
     specialization[SPEC_PLANES] = planes;
     specialization[SPEC_IMAGES] = traits.images ? 1 : 0;
+    specialization[SPEC_RAMPS] = traits.ramps ? 1 : 0;
     specialization[SPEC_SURFACES] = traits.surfaces;
     specialization[SPEC_THRESHOLD] = std::bit_cast<std::uint32_t>(method.threshold);
     specialization[SPEC_STRIDE] = std::bit_cast<std::uint32_t>(stride);

@@ -99,6 +99,7 @@ SceneTraits traitsOf(const Scene& scene) {
     traits.lights = std::uint32_t(scene.lights.size());
     for (const Shape& shape : scene.shapes) {
         traits.images = traits.images || textureAs<ImageMap>(shape.material) != nullptr;
+        traits.ramps = traits.ramps || textureAs<HeightRamp>(shape.material) != nullptr;
         traits.kinds |= bit(geometryKind(shape.geometry));
         if (const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry))
             traits.triangles += std::uint32_t(mesh->triangles.size());

@@ -11,7 +11,7 @@ namespace dsphere {
 struct SceneTraits {
     std::uint32_t objects = 0, lights = 0;
     std::uint32_t kinds = 0, surfaces = 0;     ///< bit per KIND_ and SURFACE_ in use
-    bool images = false;                       ///< of shapes
+    bool images = false, ramps = false;        ///< of shapes
     bool tiles = false;                        ///< a map stays in its file: known once their files are opened
     std::uint32_t triangles = 0;               ///< of all meshes
     int only_displaced = -1, only_plain = -1;  ///< the only shape of its kind, by its index; -1: none or several
