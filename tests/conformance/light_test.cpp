@@ -221,6 +221,22 @@ TEST_F(Lighting, OfRegularizedPaths) {
     expectMeans(world, 512, 1024);
 }
 
+/// Within a dark box, where what comes by two reflections and more is 4 % of the light and roulette ends most of these
+/// paths.
+TEST_F(Lighting, OfPathsInADarkBox) {
+    TriangleMesh box;
+    for (int corner = 0; corner < 8; ++corner)
+        box.points.push_back(2.0 * dvec3(corner & 1, corner >> 1 & 1, corner >> 2) - 1.0);
+    box.triangles = {{0, 1, 3}, {0, 3, 2}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                     {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 3, 7}, {1, 7, 5}};
+    World world;
+    world.addPlain(box, dmat4(1.0));
+    world.scene.shapes.back().material = Matte{ConstantColour{dvec3(0.24, 0.2, 0.1)}};
+    addEmitter(world, Sphere{0.5}, translation({0.0, 0.4, 0.0}), dvec3(4, 3, 2), false);
+    world.lookAt({-0.9, -0.4, -0.8}, {0.9, -0.9, 0.9}, dvec3(0.0, 1.0, 0.0), 40.0);
+    expectMeans(small(std::move(world), Integrator::Kind::Path, 5), 256, 256);
+}
+
 /// The same of one material at a time. Specks out of sight have the other kinds: one shader serves all.
 TEST_F(Lighting, OfPathsOfOneMaterial) {
     for (const Material& material :
