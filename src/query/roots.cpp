@@ -4,7 +4,8 @@
 #include <cmath>
 
 // Compiled for AVX2 too, and the processor chooses. Sanitizers are not ready yet when it does.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
 #define FOR_SIMD __attribute__((target_clones("avx2", "default")))
 #else
 #define FOR_SIMD
