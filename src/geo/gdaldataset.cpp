@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "base/error.h"
@@ -56,9 +59,31 @@ std::string chooseGrid(const OpenMap& map) {
                  nameOf(map.file.format), names.empty() ? "holds no grid" : "holds the grids " + all);
 }
 
-// GDAL makes room for a whole block before it reads one, whatever the file's length.
+/// Of the dataset's files together; the greatest number if that cannot be told.
+std::uint64_t bytesOfFiles(const OpenMap& map) {
+    char** const list = gdal().GDALGetFileList(map.dataset.get());
+    std::uint64_t bytes = 0;
+    for (char** name = list; name && *name; ++name) {
+        std::error_code failed;
+        const std::uintmax_t size = std::filesystem::file_size(*name, failed);
+        bytes = failed || bytes == UINT64_MAX ? UINT64_MAX : bytes + size;
+    }
+    gdal().CSLDestroy(list);
+    return list ? bytes : UINT64_MAX;
+}
+
+bool isInterleaved(const OpenMap& map) {
+    const char* order = gdal().GDALGetMetadataItem(map.dataset.get(), "INTERLEAVE", "IMAGE_STRUCTURE");
+    return order && std::string_view(order) == "PIXEL";
+}
+
+// GDAL makes room for a whole block, of all bands where these are interleaved, before it reads one, whatever the file's
+// length.
 void checkBlocks(const OpenMap& map) {
     constexpr std::uint64_t kMostBytes = std::uint64_t(1) << 31;
+    constexpr std::uint64_t kUnasked = std::uint64_t(1) << 26;  // a block of so many bytes need not be borne out
+    constexpr std::uint64_t kMostPacking = 65536;               // of a block, by any method
+    const std::uint64_t together = isInterleaved(map) ? std::uint64_t(map.bands()) : 1;
     for (int k = 1; k <= map.bands(); ++k) {
         const GDALRasterBandH band = gdal().GDALGetRasterBand(map.dataset.get(), k);
         int width = 0, height = 0;
@@ -68,6 +93,11 @@ void checkBlocks(const OpenMap& map) {
             std::uint64_t(width) * std::uint64_t(height) > kMostBytes * 8 / std::uint64_t(bits))
             throwInvalid("{}: {}: is stored in blocks of {}x{} texels of {} bits, expected at most {} bytes a block",
                          map.name(), nameOf(map.file.format), width, height, bits, kMostBytes);
+        const std::uint64_t bytes = std::uint64_t(width) * std::uint64_t(height) * std::uint64_t(bits) / 8 * together;
+        if (bytes > kUnasked && bytes / kMostPacking > bytesOfFiles(map))
+            throwInvalid(
+                "{}: {}: is stored in blocks of {}x{} texels of {} bits and {} bands, more than its files can hold",
+                map.name(), nameOf(map.file.format), width, height, bits, together);
     }
 }
 
