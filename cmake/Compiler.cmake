@@ -71,7 +71,7 @@ function(dsphere_unity target)
     endif()
 endfunction()
 
-# dsphere_test_options(target): how tests are compiled, and the headers that they share.
+# dsphere_test_options(target): how tests, and the headers that they share, are compiled.
 function(dsphere_test_options target)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
     if(DSPHERE_SANITIZE)  # GCC then follows variables for minutes, and takes some of std::regex's for uninitialized

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <string_view>
 #include <vector>
 
@@ -61,15 +60,15 @@ std::string chooseGrid(const OpenMap& map) {
 
 /// Of the dataset's files together; the greatest number if that cannot be told.
 std::uint64_t bytesOfFiles(const OpenMap& map) {
-    char** const list = gdal().GDALGetFileList(map.dataset.get());
-    std::uint64_t bytes = 0;
-    for (char** name = list; name && *name; ++name) {
+    const std::vector<std::filesystem::path> files = map.files();
+    std::uint64_t bytes = files.empty() ? UINT64_MAX : 0;
+    for (const std::filesystem::path& file : files) {
         std::error_code failed;
-        const std::uintmax_t size = std::filesystem::file_size(*name, failed);
-        bytes = failed || bytes == UINT64_MAX ? UINT64_MAX : bytes + size;
+        const std::uintmax_t size = std::filesystem::file_size(file, failed);
+        if (failed) return UINT64_MAX;
+        bytes += size;
     }
-    gdal().CSLDestroy(list);
-    return list ? bytes : UINT64_MAX;
+    return bytes;
 }
 
 bool isInterleaved(const OpenMap& map) {
@@ -102,6 +101,14 @@ void checkBlocks(const OpenMap& map) {
 }
 
 }  // namespace
+
+std::vector<std::filesystem::path> OpenMap::files() const {
+    char** const list = gdal().GDALGetFileList(dataset.get());
+    std::vector<std::filesystem::path> files;
+    for (char** file = list; file && *file; ++file) files.emplace_back(*file);
+    gdal().CSLDestroy(list);
+    return files;
+}
 
 const char* OpenMap::source() const {
     using Format = PlacedFile::Format;

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "geo/gdal.h"
 #include "geo/label.h"
@@ -21,6 +24,8 @@ struct OpenMap {
     int bands() const { return gdal().GDALGetRasterCount(dataset.get()); }
     /// "tag" or "label": the word for what such a file says of itself.
     const char* source() const;
+    /// As GDAL lists them: the file, those beside it and those that it names. Some may not be files of the system.
+    std::vector<std::filesystem::path> files() const;
 };
 
 /// Opens it for reading with the driver of its format alone; of a netCDF file with several variables the one that is

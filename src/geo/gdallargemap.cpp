@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <thread>
@@ -100,9 +101,7 @@ class GdalLargeMap : public LargeMap {
         const std::filesystem::path& path = open.file.path;
         std::vector<std::filesystem::path> files{path, open.file.label, path.string() + ".aux.xml"};
         if (const std::string world = worldFileOf(path); !world.empty()) files.push_back(path.parent_path() / world);
-        char** list = gdal().GDALGetFileList(open.dataset.get());
-        for (char** file = list; file && *file; ++file) files.emplace_back(*file);
-        gdal().CSLDestroy(list);
+        std::ranges::move(open.files(), std::back_inserter(files));
         std::erase_if(files, [](const auto& file) { return !std::filesystem::is_regular_file(file); });
         std::ranges::sort(files);
         files.erase(std::unique(files.begin(), files.end()), files.end());
