@@ -85,7 +85,7 @@ Task findTask(const int n) {
     if (kIsRetry) return findRetryTask();
     ivec2 lane = ivec2(XY(gl_LocalInvocationID));
     ivec2 within = ivec2((lane.x & 3) | (lane.y & 1) << 2, (lane.y & 6) | lane.x >> 2);
-    ivec2 block = ivec2(int(gl_WorkGroupID.x) * kTasks + n, int(gl_WorkGroupID.y));
+    ivec2 block = ivec2(int(gl_WorkGroupID.x) * kTasks + n, int(gl_WorkGroupID.y * gl_NumWorkGroups.z + gl_WorkGroupID.z));
     Task task;
     task.pixel = ivec2(params.tile_x, params.tile_y) + block * ivec2(GROUP_SIZE_X, GROUP_SIZE_Y) + within;
     task.safe_s = -kInfinity;

@@ -169,7 +169,7 @@ struct Invocation {
     std::vector<AbsentPixel> absent_pixels;
     const RenderParams& pushed;
     RenderParams params;
-    uvec3 gl_WorkGroupID = uvec3(0u), gl_LocalInvocationID = uvec3(0u);
+    uvec3 gl_WorkGroupID = uvec3(0u), gl_LocalInvocationID = uvec3(0u), gl_NumWorkGroups = uvec3(1u);
     uint gl_LocalInvocationIndex = 0;
 
 #include "shaders/marcher.glsl"

@@ -15,13 +15,22 @@
 #include <cassert>
 #include <functional>
 #include <future>
+#include <thread>
 
 namespace dsphere {
 
 namespace {
 
-std::uint32_t groups(int pixels, int group) {
-    return std::uint32_t((pixels + group - 1) / group);
+std::uint32_t groups(std::uint32_t pixels, std::uint32_t group) {
+    return (pixels + group - 1) / group;
+}
+
+// Rule L13: rows of workgroups are dealt out to so many shares, a driver for CPUs having as many threads. Rows that the
+// last round of dealing adds are computed for nothing, so there are few of them.
+std::uint32_t sharesOf(std::uint32_t rows, std::uint32_t threads) {
+    std::uint32_t shares = std::min(rows, threads);
+    while ((groups(rows, shares) * shares - rows) * 16 > rows) --shares;
+    return shares;
 }
 
 std::uint64_t pixelsAtOnce(const gpu::StorageImage& film) {
@@ -89,6 +98,7 @@ FilmTracer::FilmTracer(gpu::Device& device, FilmPipelines& pipelines, const Devi
                        const gpu::StorageImage& film)
     : pipelines_(pipelines),
       leftovers_(device, device_scene.tiles(), pixelsAtOnce(film)),
+      threads_(runsOnCpu(device) ? std::max(1u, std::thread::hardware_concurrency()) : 1u),
       set_(device, pipelines.first(), bindAll(device_scene, film, leftovers_), "render"),
       batch_(device, "render") {
     warmUp();
@@ -116,8 +126,8 @@ double FilmTracer::run(std::span<const layout::RenderParams> tiles) {
     batch_.bind(pipelines_.first(), set_);
     for (const layout::RenderParams& tile : tiles) {
         batch_.push(tile);
-        batch_.dispatch(groups(tile.tile_x1 - tile.tile_x, pipelines_.columns()),
-                        groups(tile.tile_y1 - tile.tile_y, GROUP_SIZE_Y), 1);
+        const std::uint32_t rows = groups(tile.tile_y1 - tile.tile_y, GROUP_SIZE_Y), shares = sharesOf(rows, threads_);
+        batch_.dispatch(groups(tile.tile_x1 - tile.tile_x, pipelines_.columns()), groups(rows, shares), shares);
     }
     return leftovers_.run(batch_, set_, {pipelines_.first(), pipelines_.full()}, tiles.front());
 }

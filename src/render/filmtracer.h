@@ -72,6 +72,7 @@ class FilmTracer {
 
     FilmPipelines& pipelines_;
     Leftovers leftovers_;
+    std::uint32_t threads_;  ///< that a dispatch is shared out to; 1 on a device that needs no help with that
     gpu::BindingSet set_;
     gpu::Batch batch_;
 };

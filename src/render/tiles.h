@@ -12,6 +12,10 @@ namespace dsphere {
 /// do not depend on where within a crop's first workgroup an object begins.
 std::vector<Box> makeTiles(const std::vector<Span>& spans, int x0, int x1, int columns);
 
+/// The same boxes, from the top down and none beside another, of which runs that touch are joined to the box around
+/// them where its further pixels, which miss, cost less than another dispatch does.
+std::vector<Box> joinTiles(const std::vector<Box>& tiles);
+
 /// The pixels left of x0, and those within [x0, x1) that come before (x, y0), where [y0, y1) are rows of tiles, done
 /// from the left.
 struct RowByRow {
@@ -39,6 +43,8 @@ class TileRun {
     double step(FilmTracer& tracer, int sample, std::uint32_t seed, double target);
 
   private:
+    bool isAlone(std::size_t tile) const;
+
     std::vector<Box> tiles_;
     int film_x_ = 0, film_y_ = 0;
     std::size_t next_ = 0;
