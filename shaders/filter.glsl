@@ -141,6 +141,7 @@ struct FilterWalk {
     int verdict;
     real by;        // the last chord's length in x
     vec3 parabola;  // g, slope and bend of that chord
+    vec2 beyond;    // its cubic and quartic terms
     real longest;   // of the next chord, in x: curved surfaces halve chords
 };
 
@@ -194,10 +195,11 @@ void walkOn(INOUT(FilterWalk) walk, const Reach reach) {
 struct Filtered {
     bool hit, inside, doubtful;
     int verdict, steps;
-    // The chord that holds the root or the doubt: its cell, s where it starts, its length in s, its parabola.
+    // The chord that holds the root or the doubt: its cell, s where it starts, its length in s, its parabola and the terms beyond.
     ivec2 cell;
     real low, extent;
     vec3 parabola;
+    vec2 beyond;
 };
 
 // One leaf, or as much of it as one piece covers: the cursor is moved to its end.
@@ -210,6 +212,7 @@ void filterLeaf(INOUT(Filtered) answer, INOUT(Cursor) at, const Ray ray, const M
     walk.verdict = kGoing;
     walk.by = real(0);
     walk.parabola = vec3(real(0));
+    walk.beyond = vec2(real(0));
     walk.longest = real(1);
     bool may_be_inside = ray.may_start_inside && at.s <= ray.s_min;
     while (answer.steps < kFilterSteps) {
@@ -222,6 +225,7 @@ void filterLeaf(INOUT(Filtered) answer, INOUT(Cursor) at, const Ray ray, const M
     answer.low = piece.s + (piece.doubtful ? real(0) : walk.x * piece.extent);
     answer.extent = walk.by * piece.extent;
     answer.parabola = walk.parabola;
+    answer.beyond = walk.beyond;
     at.s = piece.s_end;  // where a leaf is longer than the piece, the next step finds the rest of it
     at.leaf = false;
 }
@@ -235,6 +239,7 @@ Filtered filterMarch(const Ray ray, const MapData map, const real base, const re
     answer.low = real(0);
     answer.extent = real(0);
     answer.parabola = vec3(real(0));
+    answer.beyond = vec2(real(0));
     Cursor at;
     real s_end;
     bool searching = startCursor(at, ray, map, shell_squared, s_end);
@@ -294,23 +299,47 @@ Crossing finalCrossing(const vec3 p, const MapData map, const Pair base, const i
     return crossing;
 }
 
-// Two Newton steps on the true f at float points, the first with the parabola's slope: what is left is f's rounding. Points
-// move from each other, not along s, whose own rounding would come on top.
+// g along a hit's chord, y in [0, 1], its slope and half its second derivative: the parabola through the ends and the middle, and
+// the terms beyond, cubic (y^3 - 1.5 y^2 + 0.5 y) + quartic (y^4 - 1.75 y^2 + 0.75 y).
+vec3 alongChord(const Filtered answer, const real y) {
+    real cubic = answer.beyond.x;
+    real quartic = answer.beyond.y;
+    real linear = answer.parabola.y + real(0.5) * cubic + real(0.75) * quartic;
+    real square = answer.parabola.z - real(1.5) * cubic - real(1.75) * quartic;
+    return vec3(answer.parabola.x + y * (linear + y * (square + y * (cubic + y * quartic))),
+                linear + y * (real(2) * square + y * (real(3) * cubic + y * (real(4) * quartic))),
+                square + y * (real(3) * cubic + y * (real(6) * quartic)));
+}
+
+// How much y grows from where g is so large until it is 0, by its slope and bend there.
+real towardsRoot(const vec3 along, const real g) {
+    real by = -g / lesser(along.y, -kTiny);
+    return -g / lesser(along.y + by * along.z, -kTiny);
+}
+
+// The root of g along the chord, then a step from the true f at that float point, by the same slope and bend: what is left is f's
+// rounding. Of curved surfaces, whose chords are not known so well, one more, by the true gradient. Points move from each other, not
+// along s, whose own rounding would come on top.
 Crossing filterRefine(const Ray ray, const MapData map, const Pair base, const real scale, const Filtered answer) {
     Patch quad = fetchPatch(map, scale, answer.cell);
     vec4 west = edgesAt(answer.cell.x, map.edges_y);
     vec4 north = edgesAt(answer.cell.y, map.edges_y + 1);
     Corner corner = cornerOf(west, north);
-    real y = answer.inside ? real(0) : parabolaRoot(answer.parabola);
+    real root = parabolaRoot(answer.parabola);
+    vec3 along = alongChord(answer, root);
+    root = clamp(root + towardsRoot(along, along.x), real(0), real(1));
+    real y = answer.inside ? real(0) : root;
     vec3 p = ray.c + (answer.low + y * answer.extent) * ray.d;
     Crossing first = crossingAt(p, map, base.hi, answer.cell, corner, quad);
-    real fall = answer.parabola.y + real(2) * y * answer.parabola.z;
-    real moved = answer.inside ? y : clamp(y - first.at.g / lesser(fall, -kTiny), real(0), real(1));
+    along = alongChord(answer, y);
+    real moved = answer.inside ? y : clamp(y + towardsRoot(along, first.at.g), real(0), real(1));
     p += ((moved - y) * answer.extent) * ray.d;
-    Crossing second = crossingAt(p, map, base.hi, answer.cell, corner, quad);
-    real rate = dot(second.gradient, ray.d);
-    bool steep = abs(rate) > real(1e-6) * length(second.gradient);
-    real stride = steep && !answer.inside ? -second.at.g / rate : real(0);
-    stride = clamp(stride, -moved * answer.extent, (real(1) - moved) * answer.extent);
-    return finalCrossing(second.p + stride * ray.d, map, base, answer.cell, west, north, quad);
+    if (kCurved) {
+        Crossing second = crossingAt(p, map, base.hi, answer.cell, corner, quad);
+        real rate = dot(second.gradient, ray.d);
+        bool steep = abs(rate) > real(1e-6) * length(second.gradient);
+        real stride = steep && !answer.inside ? -second.at.g / rate : real(0);
+        p += clamp(stride, -moved * answer.extent, (real(1) - moved) * answer.extent) * ray.d;
+    }
+    return finalCrossing(p, map, base, answer.cell, west, north, quad);
 }

@@ -107,8 +107,9 @@ real parallelCrossing(const CellFrame frame, const real d_y, const MapData map, 
 // One chord of a cell as the parabola g + y (slope + y bend) through its ends and middle, y in [0, 1].
 struct Chord {
     real g, slope, bend;
-    real lowest;  // of the parabola after the start
-    real miss;    // how far g along the chord can be from it
+    real cubic, quartic;  // terms of g beyond the parabola, where they are known: see beyondParabola()
+    real lowest;          // of the parabola after the start
+    real miss;            // how far g along the chord can be from it
 };
 
 // `cubic` and `quartic`: g's own terms beyond the parabola, which interpolates them with an error of at most 0.05 and 0.1.
@@ -117,6 +118,8 @@ Chord makeChord(const real g, const real slope, const real bend, const real cubi
     chord.g = g;
     chord.slope = slope;
     chord.bend = bend;
+    chord.cubic = cubic;
+    chord.quartic = quartic;
     real end = g + slope + bend;
     real vertex = real(-0.5) * slope;  // times 1 / bend
     bool dips = slope < real(0) && vertex < bend;

@@ -46,5 +46,6 @@ void filterStep(INOUT(FilterWalk) walk, const Piece piece, const MapData map, co
     walk.verdict = inside ? kInside : (falls ? kHit : (!free ? kDoubtful : (by < real(1) - walk.x ? kGoing : kFree)));
     walk.by = by;
     walk.parabola = vec3(chord.g, chord.slope, chord.bend);
+    walk.beyond = vec2(chord.cubic, chord.quartic);
     if (walk.verdict == kGoing) walkOn(walk, reach);
 }

@@ -60,6 +60,7 @@ void filterStep(INOUT(FilterWalk) walk, const Piece piece, const MapData map, co
     walk.verdict = inside ? kInside : (falls ? kHit : (!free && narrow ? kDoubtful : (goes_on ? kGoing : kFree)));
     walk.by = by;
     walk.parabola = vec3(chord.g, chord.slope, chord.bend);
+    walk.beyond = vec2(chord.cubic, chord.quartic);
     // The limit that was not too long is doubled, not the chord, which an edge may have cut to nothing.
     walk.longest = halve ? real(0.5) * by : real(2) * walk.longest;
     if (walk.verdict == kGoing && !halve) walkOn(walk, reach);
