@@ -169,7 +169,7 @@ bool startCursor(INOUT(Cursor) at, const Ray ray, const MapData map, const real 
     at.i = 0;
     at.j = 0;
     at.turned = true;
-    return margin > real(0) && at.s < s_end && (ray.may_start_inside || !escapes(ray, map));
+    return margin > real(0) && at.s < s_end && !(ray.may_escape && escapes(ray, map));
 }
 
 // Searches the whole ray; walk.hit, .inside, .frame and .sigma tell the answer, to be refined.

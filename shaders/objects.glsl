@@ -138,6 +138,11 @@ ObjectHit hitObject(const ObjectData object, const MapData map, const Ray ray, c
     return hit;
 }
 
+// Whether a ray that starts on the object meets it nowhere, as its bounds tell.
+bool escapesObject(const ObjectData object, const MapData map, const Ray ray) {
+    return kMarches && isKind(object, KIND_DISPLACED) && escapes(ray, map);
+}
+
 // Any hit: no root is refined, no normal found.
 bool blocks(const ObjectData object, const MapData map, const Ray ray, const int kinds, INOUT(Searches) searches) {
     bool blocked = false;

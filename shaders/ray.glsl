@@ -14,6 +14,7 @@ struct Ray {
     real c2;  // |c|^2
     real s_min, s_max;
     bool may_start_inside;  // camera rays: a start inside the solid is a hit; secondary rays: only going in is
+    bool may_escape;        // secondary rays, unless it has been asked already: whether they may rise too steeply to meet anything
     Line line;
     real s_point;         // s of the line's point
     real inverse_length;  // 1 / |direction|
@@ -34,6 +35,7 @@ Ray makeRay(const Line line, const real before, const real s_max_from_start, con
     ray.s_min = ray.s_point - before * size;
     ray.s_max = ray.s_min + s_max_from_start;
     ray.may_start_inside = may_start_inside;
+    ray.may_escape = !may_start_inside;
     return ray;
 }
 

@@ -57,8 +57,8 @@ void addLight(INOUT(Gathered) result) {
     result.colour = directLight(result.point, result.albedo, result.lit);
 }
 
-// gatherDirect() of a scene's only object: one loop through the first ray and those to the lights, in which the search
-// stands once, not twice: the retry has few rays, and drivers make its code sooner.
+// gatherDirect() of a scene's only object: one loop through the first ray and those to the lights that have to be searched for. So the
+// search stands once, which drivers compile sooner, and a group of lanes ends after the first where no light needs one.
 Gathered gatherInOneLoop(const Segment segment) {
     Gathered result = nothingGathered();
     SurfacePoint point = noPoint();
@@ -66,30 +66,38 @@ Gathered gatherInOneLoop(const Segment segment) {
     Ray ray = segmentRay(segment, 0, object);
     int level = segmentLevel(segment, 0, object, ray);
     startClear(ray, segment);
-    bool facing = false;
     int turn = 0;  // the first ray's, then light `turn - 1`'s
     while (turn <= kLightCount) {
-        ObjectHit hit = hitObject(object, mapOf(0, ~0, level), ray, ~0);
+        MapData map = mapOf(0, ~0, level);
+        ObjectHit hit = hitObject(object, map, ray, ~0);
         if (turn == 0)
             takeHit(point, 0, object, level, segment, hit);
         else
-            result.lit |= facing && !hit.hit ? 1u << (turn - 1) : 0u;
-        if (!kWantsLight || kShadows == 0 || !point.hit || turn == kLightCount) break;
-        LightData light = lightOf(turn);
-        facing = facesLight(point, light);
-        ray = shadowRay(0, object, point, XYZ(light.position), isLight(light, LIGHT_POINT));
-        turn += 1;
+            result.lit |= hit.hit ? 0u : 1u << (turn - 1);
+        point.doubtful = point.doubtful || hit.doubtful;
+        if (!kWantsLight || kShadows == 0 || !point.hit || point.doubtful) break;
+        bool searches = false;
+        while (turn < kLightCount) {
+            LightData light = lightOf(turn);
+            ray = shadowRay(0, object, point, XYZ(light.position), isLight(light, LIGHT_POINT));
+            bool facing = facesLight(point, light);
+            searches = facing && !escapesObject(object, map, ray);
+            ray.may_escape = false;
+            result.lit |= facing && !searches ? 1u << turn : 0u;
+            turn += 1;
+            if (searches) break;
+        }
+        if (!searches) break;
     }
     result.point = point;
-    if (kWantsLight && point.hit) addLight(result);
+    result.searches.doubtful = point.doubtful;
+    if (kWantsLight && point.hit && !point.doubtful) addLight(result);
     return result;
 }
 
 // The nearest hit, and its light if that is wanted.
 Gathered gatherDirect(const Segment segment) {
-    if (kIsRetry) {
-        if (kOneObject) return gatherInOneLoop(segment);
-    }
+    if (kOneObject) return gatherInOneLoop(segment);
     Gathered result = nothingGathered();
     result.point = nearestHit(segment);
     result.searches.doubtful = result.point.doubtful;
