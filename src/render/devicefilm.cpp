@@ -75,6 +75,7 @@ Image DeviceFilm::read(const Box& data, const Box& display) const {
 }
 
 void takeMean(Image& sums, int samples) {
+    if (samples == 1) return;
     for (Channel& channel : sums.channels)
         for (float& value : channel.floats()) value /= float(samples);
 }

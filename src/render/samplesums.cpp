@@ -9,11 +9,19 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <set>
 
 namespace dsphere {
 
 namespace {
+
+/// Told without a branch: most pictures have no other values, and are told in a hundredth of a second less.
+bool allFinite(const Channel& channel) {
+    bool all = true;
+    for (const float value : channel.floats()) all &= std::abs(value) <= std::numeric_limits<float>::max();
+    return all;
+}
 
 /// Whether a part holds the first samples of a block, and not all of them.
 bool opensBlock(const SumPart& part) {
@@ -156,6 +164,7 @@ std::size_t nonFinitePixels(const SampleSums& sums) {
     std::vector<const Channel*> channels;
     for (const SumPart& part : sums.parts())
         for (const Channel& channel : part.sums.channels) channels.push_back(&channel);
+    if (std::ranges::all_of(channels, [](const Channel* channel) { return allFinite(*channel); })) return 0;
     std::size_t count = 0;
     const std::size_t pixels = channels.empty() ? 0 : channels[0]->floats().size();
     for (std::size_t i = 0; i < pixels; ++i) {

@@ -221,13 +221,13 @@ TEST_F(MergeTest, WrongPartsAreToldFirst) {
     fails({"-o", "t.png", "--tile", "1/2"}, "t.png: a part of a picture must be an .exr");
     fails({"-o", "t%d.exr", "--tile", "1/2", "--turntable", "2"}, "--frames excludes --tile and --samples");
     expectFailure(renderWith({"-o", "t.png", "--resolution", "30000,30000"}), 1,
-                  "t.png: 30000x30000 pixels of 3 channels are more than the library that writes PNGs counts");
+                  "t.png: 30000x30000 pixels of 3 channels are more than a PNG is packed from in memory");
     fails({"-o", "t.exr", "--resolution", "1048577,1"}, "is outside 1 to 1048576");
     expectFailure(renderWith({"-o", "t.exr", "--resolution", "100000,1"}), 1, "render it in parts: --tile I/N");
     EXPECT_EQ(folder_.entries(), 2u);
 }
 
-// Wider than a device's images, and longer than a PNG's library counts.
+// Wider than a device's images, and more than a PNG is packed from.
 TEST_F(MergeTest, PicturesBeyondADeviceComeInTiles) {
     Words parts;
     for (const char* tile : {"1/4", "2/4", "3/4", "4/4"}) {
