@@ -2,7 +2,7 @@
 
 const bool kSingleFloats = false;  // whether a first ray is a float's bits
 const bool kIsRetry = false;  // whether pixels and rays come from the list that the filter left
-const bool kMarches = true;
+const bool kMarches = true;  // whether bounds tell where rays go
 const int kPathTasks = 1;  // pixels that an invocation follows paths of
 
 ObjectHit hitDisplaced(const ObjectData object, const MapData map, const Ray ray) {

@@ -76,18 +76,18 @@ Gathered gatherInOneLoop(const Segment segment) {
             result.lit |= hit.hit ? 0u : 1u << (turn - 1);
         point.doubtful = point.doubtful || hit.doubtful;
         if (!kWantsLight || kShadows == 0 || !point.hit || point.doubtful) break;
-        bool searches = false;
+        bool needs_search = false;
         while (turn < kLightCount) {
             LightData light = lightOf(turn);
             ray = shadowRay(0, object, point, XYZ(light.position), isLight(light, LIGHT_POINT));
             bool facing = facesLight(point, light);
-            searches = facing && !escapesObject(object, map, ray);
+            needs_search = facing && !escapesObject(object, map, ray);
             ray.may_escape = false;
-            result.lit |= facing && !searches ? 1u << turn : 0u;
+            result.lit |= facing && !needs_search ? 1u << turn : 0u;
             turn += 1;
-            if (searches) break;
+            if (needs_search) break;
         }
-        if (!searches) break;
+        if (!needs_search) break;
     }
     result.point = point;
     result.searches.doubtful = point.doubtful;

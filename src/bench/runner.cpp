@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <random>
 
 namespace dsphere::bench {
 
@@ -186,16 +187,24 @@ void WorkloadRun::runOnce(Entry& entry, bool timed) {
     entry.shadow.push_back(shadow);
 }
 
+// In another order each round, the same in every run: who comes after a method that has the caches and has let others'
+// threads fall asleep is late, and none is to be so always.
 void WorkloadRun::race(std::vector<Entry>& entries) {
     constexpr int kLeastRepeats = 3;
-    for (int round = -1; round < plan_.repeats; ++round)
-        for (Entry& entry : entries) {
-            if (!entry.contender) continue;
+    std::vector<Entry*> order;
+    for (Entry& entry : entries)
+        if (entry.contender) order.push_back(&entry);
+    std::mt19937 random;
+    for (int round = -1; round < plan_.repeats; ++round) {
+        std::shuffle(order.begin(), order.end(), random);
+        for (Entry* next : order) {
+            Entry& entry = *next;
             // A run that alone takes all the time is measured once: noise hides little of what it costs.
             bool enough = round >= kLeastRepeats ? entry.spent > plan_.seconds
                                                  : round >= 1 && entry.spent > kLeastRepeats * plan_.seconds;
             if (!enough) runOnce(entry, round >= 0);
         }
+    }
 }
 
 void WorkloadRun::finish(Entry& entry, const View& view, const std::vector<std::size_t>& pixels, const Answers& exact,

@@ -103,8 +103,9 @@ double TileRun::step(FilmTracer& tracer, int sample, std::uint32_t seed, double 
         Box box = tile;
         box.x0 += columns_done_;
         std::uint64_t more = areaOf(box);
-        if (pixels > 0 && (double(pixels) + 0.5 * double(more) > most || pixels + more > FilmTracer::kMostPixels))
-            break;
+        // What joining adds is less than a dispatch costs, for each tile.
+        const double area = double(pixels + more) + kDispatchPixels * double(whole.size() + 1);
+        if (pixels > 0 && (double(pixels) + 0.5 * double(more) > most || area > double(FilmTracer::kMostPixels))) break;
         if (tracer.pixelSeconds() > 0.0 && double(more) > 2.0 * most) {
             const int fitting = int(most / double(box.height())) / tracer.columns() * tracer.columns();
             box.x1 = std::min(box.x1, box.x0 + std::max(fitting, tracer.columns()));
