@@ -58,7 +58,7 @@ void addLight(INOUT(Gathered) result) {
 }
 
 // gatherDirect() of a scene's only object: one loop through the first ray and those to the lights that have to be searched for. So the
-// search stands once, which drivers compile sooner, and a group of lanes ends after the first where no light needs one.
+// search stands once, which drivers compile sooner, and a group of lanes ends after the first where no light needs one (rule L14).
 Gathered gatherInOneLoop(const Segment segment) {
     Gathered result = nothingGathered();
     SurfacePoint point = noPoint();
