@@ -107,7 +107,7 @@ real parallelCrossing(const CellFrame frame, const real d_y, const MapData map, 
 // One chord of a cell as the parabola g + y (slope + y bend) through its ends and middle, y in [0, 1].
 struct Chord {
     real g, slope, bend;
-    real cubic, quartic;  // terms of g beyond the parabola, where they are known: see beyondParabola()
+    real cubic, quartic;  // terms of g beyond the parabola, where they are known: see alongChord()
     real lowest;          // of the parabola after the start
     real miss;            // how far g along the chord can be from it
 };
