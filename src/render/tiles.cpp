@@ -98,13 +98,14 @@ double TileRun::step(FilmTracer& tracer, int sample, std::uint32_t seed, double 
         most = double(last_pixels_) * std::min(share, std::clamp(share / 4.0, 2.0, 16.0));
     }
     std::uint64_t pixels = 0;
+    const std::size_t first = next_;
     while (!done()) {
         const Box& tile = tiles_[next_];
         Box box = tile;
         box.x0 += columns_done_;
         std::uint64_t more = areaOf(box);
         // What joining adds is less than a dispatch costs, for each tile.
-        const double area = double(pixels + more) + kDispatchPixels * double(whole.size() + 1);
+        const double area = double(pixels + more) + kDispatchPixels * double(next_ - first + 1);
         if (pixels > 0 && (double(pixels) + 0.5 * double(more) > most || area > double(FilmTracer::kMostPixels))) break;
         if (tracer.pixelSeconds() > 0.0 && double(more) > 2.0 * most) {
             const int fitting = int(most / double(box.height())) / tracer.columns() * tracer.columns();

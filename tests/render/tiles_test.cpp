@@ -62,6 +62,25 @@ class TileRunTest : public WorldTest {
   protected:
     static constexpr std::uint32_t kSums = 1u << PLANE_R | 1u << PLANE_G | 1u << PLANE_B | 1u << PLANE_A;
     static constexpr int kSamples = 5;
+    static constexpr const char* kWall = "Shape \"disk\" \"float radius\" 100 \"float height\" 1.5\n";
+
+    /// What adds up samples of a scene.
+    struct Tracing {
+        Tracing(gpu::Device& device, const World& world)
+            : box(cropBox(world.scene.film)),
+              pipelines(device, world.packed.traits, 1.0f, Marcher::Exact, kSums),
+              scene(device, world.packed),
+              film(device, box.width(), box.height(), kSums),
+              tracer(device, pipelines, scene, film.image()) {}
+
+        std::vector<float> alpha() const { return film.read(box, box).at("A").floats(); }
+
+        Box box;
+        FilmPipelines pipelines;
+        DeviceScene scene;
+        DeviceFilm film;
+        FilmTracer tracer;
+    };
 
     World seen(int width, int height, const std::string& shape) const {
         return worldOf(
@@ -73,19 +92,17 @@ class TileRunTest : public WorldTest {
 
     /// The sums of the samples, each in rounds of `target` seconds; as one box if that is 0.
     Image sums(const World& world, double target) {
-        const Box box = cropBox(world.scene.film);
-        FilmPipelines pipelines(device_, world.packed.traits, 1.0f, Marcher::Exact, kSums);
-        const DeviceScene scene(device_, world.packed);
-        DeviceFilm film(device_, box.width(), box.height(), kSums);
-        FilmTracer tracer(device_, pipelines, scene, film.image());
+        Tracing tracing(device_, world);
+        const Box& box = tracing.box;
         const std::vector<Span> spans = shownSpans(world.packed.traits, world.packed.state.objects, box);
-        TileRun run(makeTiles(spans, 0, box.width(), tracer.columns()), 0, 0);
+        TileRun run(makeTiles(spans, 0, box.width(), tracing.tracer.columns()), 0, 0);
         for (int sample = 0; sample < kSamples; ++sample) {
-            if (target == 0.0) tracer.run(std::vector{layout::RenderParams{0, 0, box.x1, box.y1, 0, 0, sample, 0}});
-            while (target > 0.0 && !run.done()) run.step(tracer, sample, 0, target);
+            if (target == 0.0)
+                tracing.tracer.run(std::vector{layout::RenderParams{0, 0, box.x1, box.y1, 0, 0, sample, 0}});
+            while (target > 0.0 && !run.done()) run.step(tracing.tracer, sample, 0, target);
             run.rewind();
         }
-        return film.read(box, box);
+        return tracing.film.read(box, box);
     }
 
     gpu::Device device_{{"", true}};
@@ -96,7 +113,7 @@ const double kTargets[] = {1.0, 1e-3, 1e-5};  // seconds: for the whole picture,
 // A wall that fills the picture. Heights that no number of threads divides; a picture wider than a tile.
 TEST_F(TileRunTest, EachPixelOnce) {
     for (const auto& [width, height] : {std::pair(97, 1), {97, 9}, {97, 41}, {97, 333}, {2300, 70}}) {
-        const World wall = seen(width, height, "Shape \"disk\" \"float radius\" 100 \"float height\" 1.5\n");
+        const World wall = seen(width, height, kWall);
         for (const double target : kTargets) {
             const Image image = sums(wall, target);
             const std::vector<float>& alpha = image.at("A").floats();
@@ -104,6 +121,37 @@ TEST_F(TileRunTest, EachPixelOnce) {
                 << width << "x" << height << ", " << target << " s";
         }
     }
+}
+
+// The rest of a tile that a round has cut is not joined to the next tile: the box around both holds what the round
+// before has done. A pixel is said to take so long that a round has room for half a tile; the one after it may be 16
+// times as large.
+TEST_F(TileRunTest, ThePartsOfATile) {
+    const World wall = seen(256, 48, kWall);
+    Tracing tracing(device_, wall);
+    constexpr double kTarget = 1000.0;  // seconds
+    tracing.tracer.pixelSeconds() = kTarget / 1950.0;
+    TileRun run({{0, 0, 256, 16}, {0, 16, 256, 32}, {0, 32, 256, 48}}, 0, 0);
+    run.step(tracing.tracer, 0, 0, kTarget);
+    const int columns = tracing.tracer.columns();
+    ASSERT_EQ(run.doneRows().x, 1950 / 16 / columns * columns);
+    while (!run.done()) run.step(tracing.tracer, 1, 0, kTarget);
+    const std::vector<float> alpha = tracing.alpha();
+    EXPECT_EQ(std::set(alpha.begin(), alpha.end()), std::set{1.0f});
+}
+
+// Nor is a tile joined to one that has another beside it, which the box around both would hold a part of.
+TEST_F(TileRunTest, TilesBesideOthers) {
+    const World wall = seen(2104, 32, kWall);
+    Tracing tracing(device_, wall);
+    tracing.tracer.pixelSeconds() = 1e-6;  // so that all are one round
+    const std::vector<Box> tiles = {{40, 0, 2085, 16}, {0, 16, 2048, 32}, {2048, 16, 2104, 32}};
+    TileRun run(tiles, 0, 0);
+    while (!run.done()) run.step(tracing.tracer, 1, 0, 1000.0);
+    const std::vector<float> alpha = tracing.alpha();
+    for (const Box& tile : tiles)
+        for (int x = tile.x0; x < tile.x1; ++x)
+            ASSERT_EQ(alpha[std::size_t(tile.y0) * 2104 + std::size_t(x)], 1.0f) << x << ", " << tile.y0;
 }
 
 // A planet, whose tiles follow its silhouette: as one box that holds them all.
