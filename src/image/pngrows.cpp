@@ -1,17 +1,13 @@
 #include "image/pngrows.h"
 
-#include <png.h>
-
 #include <array>
-#include <csetjmp>
 #include <cstring>
 #include <string>
 #include <string_view>
 
 #include "base/error.h"
 #include "image/codecs.h"
-
-// libpng reports errors by longjmp: no function that sets a jump holds objects that need destruction.
+#include "image/pngerrors.h"
 
 namespace dsphere {
 namespace {
@@ -44,30 +40,23 @@ void checkStart(InputFile& file) {
 }  // namespace
 
 /// Each step returns false on failure, and then `message` says why.
-struct PngRows::Decoder {
+struct PngRows::Decoder : PngErrors {
     InputFile& file;
     png_structp png = nullptr;
     png_infop info = nullptr;
-    std::array<char, 512> message{};
     int depth = 8;  ///< as stored: libpng unpacks samples of fewer than 8 bits
     int passes = 1;
     std::vector<Entry> palette;
     std::vector<std::uint16_t> transparent;
 
     explicit Decoder(InputFile& input) : file(input) {
-        png = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, onError, onWarning);
+        png = png_create_read_struct(PNG_LIBPNG_VER_STRING, static_cast<PngErrors*>(this), onError, onWarning);
         if (png) info = png_create_info_struct(png);
     }
     ~Decoder() { png_destroy_read_struct(&png, &info, nullptr); }
     Decoder(const Decoder&) = delete;
     Decoder& operator=(const Decoder&) = delete;
 
-    void keep(const char* text) { std::strncpy(message.data(), text, message.size() - 1); }
-
-    [[noreturn]] static void onError(png_structp png, png_const_charp text) {
-        static_cast<Decoder*>(png_get_error_ptr(png))->keep(text);
-        png_longjmp(png, 1);
-    }
     /// Nothing that only warns changes a texel, but for a damaged chunk of transparency, which libpng would skip.
     static void onWarning(png_structp png, png_const_charp text) {
         if (std::string_view(text).starts_with("tRNS:")) onError(png, text);

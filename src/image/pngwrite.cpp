@@ -1,17 +1,13 @@
-#include <png.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <csetjmp>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 #include "base/atomicfile.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "image/picture.h"
+#include "image/pngerrors.h"
 
 namespace dsphere {
 namespace {
@@ -30,19 +26,19 @@ std::uint8_t toSrgb(double linear) {
     return std::uint8_t(255.0 * encoded + 0.5);
 }
 
-/// Writes PNGs of 8 bits. libpng reports errors by longjmp: the function that sets the jump holds no objects that need
-/// destruction.
-class PngWriter {
+/// Writes PNGs of 8 bits.
+class PngWriter : PngErrors {
   public:
     explicit PngWriter(AtomicFile& file) : file_(file) {
-        png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, onError, onWarning);
+        keep("libpng cannot be started");
+        png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, static_cast<PngErrors*>(this), onError, onWarning);
         if (png_) info_ = png_create_info_struct(png_);
     }
     ~PngWriter() { png_destroy_write_struct(&png_, &info_); }
     PngWriter(const PngWriter&) = delete;
     PngWriter& operator=(const PngWriter&) = delete;
 
-    /// `channels`: 3, or 4 with alpha. False, and then message() says why, where libpng cannot.
+    /// `channels`: 3, or 4 with alpha. False, and then whyNot() tells, where libpng cannot.
     bool write(int width, int height, int channels, const std::uint8_t* bytes) {
         if (!info_) return false;
         if (setjmp(png_jmpbuf(png_))) return false;
@@ -59,14 +55,9 @@ class PngWriter {
         png_write_end(png_, info_);
         return true;
     }
-    const char* message() const { return message_.data(); }
+    const char* whyNot() const { return message.data(); }
 
   private:
-    [[noreturn]] static void onError(png_structp png, png_const_charp text) {
-        auto& writer = *static_cast<PngWriter*>(png_get_error_ptr(png));
-        std::strncpy(writer.message_.data(), text, writer.message_.size() - 1);
-        png_longjmp(png, 1);
-    }
     static void onWarning(png_structp, png_const_charp) {}
     /// The file keeps its own failures for commit() to tell.
     static void onWrite(png_structp png, png_bytep bytes, std::size_t count) {
@@ -77,7 +68,6 @@ class PngWriter {
     AtomicFile& file_;
     png_structp png_ = nullptr;
     png_infop info_ = nullptr;
-    std::array<char, 256> message_{"libpng cannot be started"};
 };
 
 /// The bytes of the picture's pixels: R, G, B, and A if it has one.
@@ -120,7 +110,7 @@ void writePng(const std::filesystem::path& path, const Image& image, const Tone&
     const std::vector<std::uint8_t> bytes = encoded(image, tone);
     PngWriter writer(file);
     if (!writer.write(width, height, channels, bytes.data()))
-        throwFailure("{}: cannot be written: {}", path.string(), writer.message());
+        throwFailure("{}: cannot be written: {}", path.string(), writer.whyNot());
     file.commit();
 }
 
