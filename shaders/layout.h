@@ -70,7 +70,8 @@ using uint = std::uint32_t;
 #define SPEC_HIDE_DISTANCE 25   // 1: camera rays that miss see no infinite light; shade_paths alone
 #define SPEC_TILES 26           // 0: the scene has no map in tiles; 1: it has; 2: and their tiles have a TILE_MARGIN
 #define SPEC_RAMPS 27           // 1 if an object is coloured by a ramp
-#define SPEC_COUNT 28
+#define SPEC_ONLY_INFINITE 28  // the scene's only infinite light, by its index; -1: none or several; shade_paths alone
+#define SPEC_COUNT 29
 
 #define MARCHER_EXACT 0
 #define MARCHER_NAIVE 1        // the seed's: from the camera
@@ -238,7 +239,8 @@ struct MaterialData {
     float alpha;             // GGX
     float rough_a, rough_b;  // matte: Oren and Nayar's A and B
     int table;               // conductor: of its loss 1 - E in the tables
-    int pad0, pad1, pad2, pad3;
+    int light;               // the light that the object is; -1: none
+    int pad0, pad1, pad2;
 };
 
 // A triangle, units of R of its object. Corners that triangles share have the same bits.

@@ -123,23 +123,37 @@ struct Departure {
     bool from_camera_hit;
 };
 
-// What the hit, or the distance, sends back along the path.
-vec3 emitted(const SurfacePoint point, const vec3 direction, const Departure departure) {
+// What is seen of a light, weighed against its samples.
+vec3 weighed(const Emission emission, const LightData light, const Departure departure) {
+    real rival = emission.density * (departure.from_camera_hit ? real(1) : real(light.share));
+    return emission.radiance * (departure.density > real(0) ? powerWeight(departure.density, rival) : real(1));
+}
+
+vec3 emittedByDistance(const vec3 direction, const Departure departure) {
+    if (kOnlyInfinite >= 0)
+        return weighed(infiniteEmission(infinite_light, departure.normal, direction), infinite_light, departure);
     vec3 sum = vec3(real(0));
     int k = 0;
     do {
         LightData light = lights[k];
-        bool is_surface = light.object >= 0;
-        if (point.hit ? !(is_surface && light.object == point.object) : !isInfinite(light)) continue;
-        Emission emission;
-        if (is_surface)
-            emission = surfaceEmission(light, point.from_first - point.towards, point.towards, point.normal);
-        else
-            emission = infiniteEmission(light, departure.normal, direction);
-        real rival = emission.density * (departure.from_camera_hit ? real(1) : real(light.share));
-        sum += emission.radiance * (departure.density > real(0) ? powerWeight(departure.density, rival) : real(1));
+        if (isInfinite(light)) sum += weighed(infiniteEmission(light, departure.normal, direction), light, departure);
     } while (++k < kLightCount);
     return sum;
+}
+
+vec3 emittedBySurface(const SurfacePoint point, const Departure departure) {
+    int k = materials[point.object].light;
+    if (k < 0) return vec3(real(0));
+    LightData light = lights[k];
+    return weighed(surfaceEmission(light, point.from_first - point.towards, point.towards, point.normal), light, departure);
+}
+
+// What the hit, or the distance, sends back along the path.
+vec3 emitted(const SurfacePoint point, const vec3 direction, const Departure departure) {
+    vec3 result = vec3(real(0));
+    if ((kLightKinds & kInfiniteKinds) != 0 && !point.hit) result = emittedByDistance(direction, departure);
+    if ((kLightKinds & kAreaKinds) != 0 && point.hit) result = emittedBySurface(point, departure);
+    return result;
 }
 
 // A path on its way.

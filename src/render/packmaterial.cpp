@@ -47,6 +47,7 @@ void packMatte(MaterialData& data, const Matte& matte) {
 
 MaterialData packMaterial(const Material& material, const PathTables& tables) {
     MaterialData data = {};
+    data.light = -1;
     data.kind = materialKind(material);
     const auto pack = Overloads{[&](const Matte& matte) { packMatte(data, matte); },
                                 [&](const Conductor& metal) { packConductor(data, metal, tables); },
@@ -102,6 +103,9 @@ void packColour(ObjectData& object, const Shape& shape, const Relief& relief) {
 std::vector<MaterialData> packMaterials(const Scene& scene, const PathTables& tables) {
     std::vector<MaterialData> materials;
     for (const Shape& shape : scene.shapes) materials.push_back(packMaterial(shape.material, tables));
+    for (std::size_t k = 0; k < scene.lights.size(); ++k)
+        if (const auto* area = std::get_if<AreaLight>(&scene.lights[k]))
+            materials[std::size_t(area->shape)].light = int(k);
     if (!scene.integrator.regularize) return materials;
     materials.resize(MAX_OBJECTS);
     for (const Shape& shape : scene.shapes) materials.push_back(packMaterial(regularized(shape.material), tables));

@@ -20,6 +20,7 @@ struct SceneTraits {
     /// as large as a pixel for a filter.
     struct Paths {
         std::uint32_t materials = 1u << MATERIAL_MATTE, light_kinds = 0;  ///< bit per MATERIAL_ and LIGHT_ in use
+        int only_infinite = -1;  ///< the only infinite light, by its index; -1: none or several
         bool rough_mattes = false, checkerboards = false, meshes = false;
         bool diffuse_paths = false;  ///< path, not directlighting
         std::uint32_t max_depth = 0;
