@@ -14,6 +14,7 @@ struct SurfacePoint {
     vec3 towards;  // from the ray's start
     vec2 uv;       // of a mesh
     vec3 object_position, start;  // object space, units of R; start: P', where secondary rays begin
+    vec3 world_start;             // P'
     vec3 albedo;
     real h;  // height on the ramp
     int ramp;
@@ -97,6 +98,7 @@ struct Segment {
     bool camera;          // or of the list; the rest is of other rays
     int object, level;    // that it starts on, and of whose detail
     vec3 start;           // P', in that object's space
+    vec3 world_start;     // P'
     vec3 from_first;      // P, world, from object 0's centre
     vec3 direction;       // world, unit
 };
@@ -112,6 +114,7 @@ Segment firstSegment(const real safe_s) {
     segment.object = 0;
     segment.level = 0;
     segment.start = vec3(real(0));
+    segment.world_start = vec3(real(0));
     segment.from_first = vec3(real(0));
     segment.direction = vec3(real(0));
     return segment;
@@ -120,15 +123,15 @@ Segment firstSegment(const real safe_s) {
 // firstRay(), firstTowards(), firstDirection() and firstStart() of such a ray.
 #include "firstray.glsl"
 
-// P' of object `from` in the space of object k.
-vec3 startFor(const int k, const ObjectData object, const int from, const vec3 start) {
+// P' in the space of object k; `start`: in that of object `from`.
+vec3 startFor(const int k, const ObjectData object, const int from, const vec3 start, const vec3 world_start) {
     if (kOneObject || k == from) return start;
-    return objectFromWorldPoint(object, worldFromObjectPoint(objects[from], start));
+    return objectFromWorldPoint(object, world_start);
 }
 
 Ray segmentRay(const Segment segment, const int k, const ObjectData object) {
     if (kPaths && !segment.camera)
-        return secondaryRay(startFor(k, object, segment.object, segment.start),
+        return secondaryRay(startFor(k, object, segment.object, segment.start, segment.world_start),
                             objectFromWorldVector(object, segment.direction), false);
     return firstRay(segment, k, object);
 }
@@ -240,6 +243,7 @@ void takeHit(INOUT(SurfacePoint) best, const int k, const ObjectData object, con
         best.uv = hit.uv;
         best.object_position = hit.p;
         best.start = hit.p + startOffset(object) * hit.n;
+        best.world_start = worldFromObjectPoint(object, best.start);
         best.albedo = XYZ(object.albedo);
         best.h = real(object.ramp_offset) + real(object.ramp_scale) * hit.stored;
         best.ramp = object.ramp;
@@ -330,7 +334,7 @@ vec3 albedoOf(const SurfacePoint point) {
 // From P' in the space of object k to a light: at `place`, seen from object 0's centre, if the ray `ends` there; in the
 // direction `place` if it goes on for ever.
 Ray shadowRay(const int k, const ObjectData object, const SurfacePoint point, const vec3 place, const bool ends) {
-    vec3 start = startFor(k, object, point.object, point.start);
+    vec3 start = startFor(k, object, point.object, point.start, point.world_start);
     vec3 offset = ends ? objectFromWorldVector(object, place - XYZ(object.from_first)) - start
                        : objectFromWorldVector(object, place);
     return secondaryRay(start, offset, ends);

@@ -230,6 +230,7 @@ void reflectPath(INOUT(Path) path, const Vertex vertex) {
     path.segment.object = vertex.point.object;
     path.segment.level = vertex.point.level;
     path.segment.start = vertex.point.start;
+    path.segment.world_start = vertex.point.world_start;
     path.segment.from_first = vertex.point.from_first;
 }
 
