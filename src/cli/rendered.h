@@ -16,7 +16,7 @@ struct Rendered {
 
     Image picture() && {
         if (colour.samples() == 0) return std::move(planes);
-        Image image = pictureOf(colour);
+        Image image = pictureOf(std::move(colour));
         image.channels.insert(image.channels.end(), std::make_move_iterator(planes.channels.begin()),
                               std::make_move_iterator(planes.channels.end()));
         return image;

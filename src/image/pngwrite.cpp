@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -18,13 +20,49 @@ constexpr std::uint64_t kMaxBytes = std::uint64_t(1) << 30;  // they are held in
 constexpr int kFilters = PNG_FAST_FILTERS, kDeflateLevel = 2;
 constexpr std::size_t kChunkBytes = 1 << 18;
 
-/// IEC 61966-2-1, rounded to the nearest of 256 levels; NaN is black.
-std::uint8_t toSrgb(double linear) {
-    if (!(linear > 0.0)) return 0;
-    if (linear >= 1.0) return 255;
+/// The sRGB curve (IEC 61966-2-1), rounded to the nearest of 256 levels.
+int srgbLevel(double linear) {
     const double encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-    return std::uint8_t(255.0 * encoded + 0.5);
+    return int(255.0 * encoded + 0.5);
 }
+
+/// srgbLevel() without a power for each value: by where each level begins.
+class SrgbLevels {
+  public:
+    SrgbLevels() {
+        for (int level = 1; level < 256; ++level) begins_[std::size_t(level)] = beginOf(level);
+        for (std::uint32_t step = 0; step <= kSteps; ++step)
+            levels_[step] = std::uint8_t(srgbLevel(std::bit_cast<float>(kLeastBits + (step << kShift))));
+    }
+
+    /// NaN is black.
+    std::uint8_t of(double linear) const {
+        if (!(linear > 0.0)) return 0;
+        if (linear >= 1.0) return 255;
+        const std::uint32_t bits = std::max(std::bit_cast<std::uint32_t>(float(linear)), kLeastBits);
+        int level = levels_[(bits - kLeastBits) >> kShift];
+        while (level > 0 && linear < begins_[std::size_t(level)]) --level;  // the float may be rounded up
+        while (level < 255 && linear >= begins_[std::size_t(level) + 1]) ++level;
+        return std::uint8_t(level);
+    }
+
+  private:
+    // Steps of a 64th of a power of two, in each of which two levels begin at most. They start below level 1.
+    static constexpr std::uint32_t kLeastBits = 0x39000000, kShift = 17, kSteps = (0x3f800000 - kLeastBits) >> kShift;
+
+    /// The least value of a level, by halving between two doubles until they are neighbours.
+    static double beginOf(int level) {
+        std::uint64_t below = 0, from = std::bit_cast<std::uint64_t>(1.0);
+        while (from - below > 1) {
+            const std::uint64_t middle = below + (from - below) / 2;
+            (srgbLevel(std::bit_cast<double>(middle)) >= level ? from : below) = middle;
+        }
+        return std::bit_cast<double>(from);
+    }
+
+    std::array<double, 256> begins_ = {};
+    std::array<std::uint8_t, kSteps + 1> levels_;
+};
 
 /// Writes PNGs of 8 bits.
 class PngWriter : PngErrors {
@@ -76,6 +114,7 @@ std::vector<std::uint8_t> encoded(const Image& image, const Tone& tone) {
     const std::size_t channels = alpha ? 4 : 3;
     std::vector<std::uint8_t> bytes(channels * image.pixelCount());
     const double gain = std::exp2(tone.exposure);
+    static const SrgbLevels levels;
     const char* const names[] = {"R", "G", "B"};
     for (std::size_t c = 0; c < 3; ++c) {
         const std::vector<float>& plane = image.at(names[c]).floats();
@@ -84,7 +123,7 @@ std::vector<std::uint8_t> encoded(const Image& image, const Tone& tone) {
             for (std::size_t k = row * width; k < (row + 1) * width; ++k) {
                 const double cover = alpha ? double(alpha->floats()[k]) : 1.0;
                 const double light = cover > 0.0 ? double(plane[k]) / cover : 0.0;
-                bytes[channels * k + c] = toSrgb(toneMapped(tone.curve, gain * light));
+                bytes[channels * k + c] = levels.of(toneMapped(tone.curve, gain * light));
             }
         });
     }

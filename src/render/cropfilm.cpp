@@ -33,12 +33,13 @@ void CropFilm::begin(const Image* sums) {
         pixels_ = sums ? *sums : film_.blank(crop_, crop_);
     else if (sums)
         film_.write(*sums, crop_);
-    else
+    else if (!zeroed_)
         film_.clear();
 }
 
 TileRun& CropFilm::beginBand(int band) {
     Band& one = bands_[std::size_t(band)];
+    zeroed_ = false;
     if (bands() > 1 && empty_)
         film_.clear();
     else if (bands() > 1)

@@ -41,8 +41,9 @@ class CropFilm {
     DeviceFilm film_;
     FilmTracer tracer_;
     std::vector<Band> bands_;
-    Image pixels_;       ///< of several bands
-    bool empty_ = true;  ///< there are no pixels_ yet
+    Image pixels_;        ///< of several bands
+    bool empty_ = true;   ///< there are no pixels_ yet
+    bool zeroed_ = true;  ///< the film is as it was made
 };
 
 }  // namespace dsphere

@@ -1,6 +1,7 @@
 #include "render/filmtracer.h"
 
 #include "base/error.h"
+#include "base/threadpriority.h"
 #include "gpu/device.h"
 #include "render/devicefilm.h"
 #include "render/variants.h"
@@ -52,8 +53,8 @@ const Shaders kBaseline = {kVariants_render_baseline, kVariants_render_planet_ba
 
 }  // namespace
 
-// Drivers take long over each, and can take both at once. Those of CPUs leave most of the work for the first dispatch:
-// the first pipeline's is best begun as soon as possible, beside the other's translation.
+// Drivers take long over each, and can take both at once. Those of CPUs leave most of the work for the first dispatch,
+// and share the cores with what reads the maps: the first pipeline's work is best begun as soon as possible.
 FilmPipelines::FilmPipelines(gpu::Device& device, const SceneTraits& traits, float stride, const MarchMethod& method,
                              std::uint32_t mask) {
     const auto make = [&device, traits, stride, method, mask](const Shaders& shaders) {
@@ -63,13 +64,12 @@ FilmPipelines::FilmPipelines(gpu::Device& device, const SceneTraits& traits, flo
         throwInvalid("a map that stays in its file is marched exactly alone; expected the marcher to be exact");
     columns_ = GROUP_SIZE_X * turnsOf(device, traits, method);
     const bool exact = method.marcher == Marcher::Exact;
-    const auto startFull = [&] {
-        if (exact && (traits.kinds & 1u << KIND_DISPLACED))
-            full_ = std::async(std::launch::async, make, std::cref(kFull)).share();
+    const auto makeFull = [make, shares_cores = runsOnCpu(device)] {
+        if (shares_cores) stepBack();
+        return make(kFull);
     };
-    if (!runsOnCpu(device)) startFull();
+    if (exact && (traits.kinds & 1u << KIND_DISPLACED)) full_ = std::async(std::launch::async, makeFull).share();
     first_ = make(exact ? kFilter : kBaseline);
-    if (runsOnCpu(device)) startFull();
 }
 
 std::future<void> makeAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method,

@@ -148,10 +148,12 @@ SampleSums addSamples(const SampleFilm& film, SampleSums start, int from, int to
     return sums;
 }
 
-Image pictureOf(const SampleSums& sums) {
-    Image picture = sums.total();
-    takeMean(picture, sums.samples());
-    if (meansTellSums(sums)) return picture;
+Image pictureOf(SampleSums sums) {
+    const int samples = sums.samples();
+    const bool told = meansTellSums(sums);
+    Image picture = told ? sums.takeLast().sums : sums.total();
+    takeMean(picture, samples);
+    if (told) return picture;
     for (const SumPart& part : sums.parts())
         for (Channel channel : part.sums.channels) {
             channel.name = sumName(part.first, part.last, channel.name);

@@ -65,7 +65,7 @@ void addSums(Image& sums, const Image& more);
 
 /// The picture: its channels are the means of the samples. A mean times its number gives the sum back where there is
 /// one part and the number is a power of two; else the parts' sums come with it, as "sum.0-16.R" of samples 0 to 15.
-Image pictureOf(const SampleSums& sums);
+Image pictureOf(SampleSums sums);
 
 /// Of a picture of samples first to last - 1, bit for bit; other channels are left out. Error (InvalidInput) without
 /// the channels that it takes.

@@ -67,7 +67,7 @@
     V(k)                         \
     V(bounced)                   \
     I(kind)                      \
-    I(checkerboard) F(u_scale) F(v_scale) F(alpha) F(rough_a) F(rough_b) I(table) I(pad0) I(pad1) I(pad2) I(pad3)
+    I(checkerboard) F(u_scale) F(v_scale) F(alpha) F(rough_a) F(rough_b) I(table) I(light) I(pad0) I(pad1) I(pad2)
 
 #define TRIANGLE_FIELDS(V) V(a) V(b) V(c) V(v)
 

@@ -145,6 +145,27 @@ TEST(Png, IsSrgb) {
     EXPECT_EQ(map.samples, (std::vector<float>{0, 188, 255, 255, 0, 0, 255, 0, 3, 10, 128}));
 }
 
+// Of a picture in double: floats about the place where each level begins, and a sweep of all orders of magnitude.
+TEST(Png, EveryValueGetsTheNearestLevel) {
+    const TempFolder folder;
+    std::vector<float> values;
+    for (int level = 1; level < 256; ++level) {
+        const double encoded = (level - 0.5) / 255.0;
+        const double linear = encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+        float value = std::nextafter(std::nextafter(float(linear), 0.0f), 0.0f);
+        for (int step = 0; step < 5; ++step, value = std::nextafter(value, 1.0f)) values.push_back(value);
+    }
+    for (float value = 1e-30f; value < 1.0f; value *= 1.003f) values.push_back(value);
+    writePng(folder.path() / "a.png", greyRow(values));
+    const RawMap map = readRawMap(folder.path() / "a.png");
+    ASSERT_EQ(map.samples.size(), values.size());
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const double linear = values[k];
+        const double encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+        EXPECT_EQ(map.samples[k], std::floor(255.0 * encoded + 0.5)) << values[k];
+    }
+}
+
 TEST(Png, ExposureIsInStops) {
     const TempFolder folder;
     writePng(folder.path() / "a.png", greyRow({0.25f, 1.0f, 0.0f}), {1.0});
