@@ -52,7 +52,7 @@ void putGeometry(const ivec2 pixel, const SurfacePoint point) {
     put(pixel, PLANE_NX, point.hit ? point.normal : nothing);
     put(pixel, PLANE_NSX, point.hit ? shadingNormal(point) : nothing);
     if (wants(PLANE_U) || wants(PLANE_V)) {
-        vec2 uv = point.hit ? pointUv(point) : vec2(real(0));
+        vec2 uv = point.hit ? pointUv(point, kKinds) : vec2(real(0));
         put(pixel, PLANE_U, uv.x);
         put(pixel, PLANE_V, uv.y);
     }

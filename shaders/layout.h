@@ -46,7 +46,7 @@ using uint = std::uint32_t;
 #define SPEC_LIGHT_COUNT 2
 #define SPEC_KINDS 3      // bit per KIND_ that the scene holds
 #define SPEC_PLANES 4     // bit per PLANE_ that the film holds
-#define SPEC_IMAGES 5     // 1 if an object has a colour image
+#define SPEC_IMAGES 5     // bit per KIND_ of the objects with a colour image
 #define SPEC_THRESHOLD 6  // float; naive, lipschitz: a hit where |p| - r falls under it, units of R
 #define SPEC_STRIDE 7     // float; lipschitz: the share of |p| - r that no step exceeds
 #define SPEC_DETAIL 8     // float; exact: pixels that a level of detail may be off, 0: none is used
@@ -54,7 +54,7 @@ using uint = std::uint32_t;
 // Of the next nine, shade_lambert reads SPEC_LIGHT_KINDS alone.
 #define SPEC_MATERIALS 10      // bit per MATERIAL_ that the scene holds
 #define SPEC_LIGHT_KINDS 11    // bit per LIGHT_ that the scene holds
-#define SPEC_CHECKERBOARDS 12  // 1 if an object has one
+#define SPEC_CHECKERBOARDS 12  // bit per KIND_ of the objects that have one
 #define SPEC_MAX_DEPTH 13      // reflections that are followed
 #define SPEC_DIFFUSE_PATHS 14  // 1: every material reflects (path); 0: mirrors alone do (directlighting)
 #define SPEC_CLAMP 15          // float; the most that a channel of a sample may hold, 0: no limit

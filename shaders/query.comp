@@ -42,7 +42,7 @@ void put(const uint index, const SurfacePoint point, const uint lit) {
 }
 
 void putLook(const uint index, const SurfacePoint point, const vec3 colour) {
-    vec2 uv = kWantsPlace && point.hit ? pointUv(point) : vec2(0.0);
+    vec2 uv = kWantsPlace && point.hit ? pointUv(point, kKinds) : vec2(0.0);
     QueryLook look;
     look.red = colour.x;
     look.green = colour.y;

@@ -299,19 +299,20 @@ SurfacePoint nearestHit(const Segment segment) {
     return best;
 }
 
-vec2 pointUv(const SurfacePoint point) {
-    if (kPaths && isKind(objects[point.object], KIND_MESH)) return point.uv;
-    return surfaceUv(objects[point.object], point.object_position);
+// Of an object that is of one of the `possible` kinds.
+vec2 pointUv(const SurfacePoint point, const int possible) {
+    if (kPaths && isKindAmong(objects[point.object], KIND_MESH, possible)) return point.uv;
+    return surfaceUv(objects[point.object], point.object_position, possible);
 }
 
 vec3 pointImageColour(const SurfacePoint point) {
-    if (kPaths && isKind(objects[point.object], KIND_MESH)) return imageColourAt(objects[point.object], point.uv);
+    if (kPaths && isKindAmong(objects[point.object], KIND_MESH, kImages)) return imageColourAt(objects[point.object], point.uv);
     return imageColour(objects[point.object], point.object_position);
 }
 
 vec3 checkerColour(const SurfacePoint point) {
     MaterialData material = materials[point.object];
-    vec2 cell = floor(pointUv(point) * vec2(material.u_scale, material.v_scale));
+    vec2 cell = floor(pointUv(point, kCheckerboards) * vec2(material.u_scale, material.v_scale));
     return mod(cell.x + cell.y, real(2)) < real(0.5) ? point.albedo : XYZ(material.odd);
 }
 

@@ -83,7 +83,7 @@ std::future<void> makeAhead(gpu::Device& device, const SceneTraits& traits, cons
 // layers, which pictures may come to, are another kind.
 std::future<void> warmAhead(gpu::Device& device, const SceneTraits& traits, const MarchMethod& method,
                             std::uint32_t mask) {
-    if (method.marcher != Marcher::Exact || traits.images) return makeAhead(device, traits, method, mask);
+    if (method.marcher != Marcher::Exact || traits.images != 0) return makeAhead(device, traits, method, mask);
     return std::async(std::launch::async, [&device, traits, method, mask] {
         FilmPipelines pipelines(device, traits, 1.0f, method, mask);
         PackedScene packed;

@@ -36,7 +36,7 @@ Specialization specializationOf(const SceneTraits& traits, float stride, const M
     specialization[SPEC_TURNS] = 1;
     specialization[SPEC_TILES] = traits.tiles ? (traits.curved() ? 2 : 1) : 0;
     specialization[SPEC_PLANES] = planes;
-    specialization[SPEC_IMAGES] = traits.images ? 1 : 0;
+    specialization[SPEC_IMAGES] = traits.images;
     specialization[SPEC_RAMPS] = traits.ramps ? 1 : 0;
     specialization[SPEC_SURFACES] = traits.surfaces;
     specialization[SPEC_THRESHOLD] = std::bit_cast<std::uint32_t>(method.threshold);
@@ -48,7 +48,7 @@ Specialization specializationOf(const SceneTraits& traits, float stride, const M
     specialization[SPEC_MATERIALS] = paths.materials;
     specialization[SPEC_LIGHT_KINDS] = paths.light_kinds;
     specialization[SPEC_ONLY_INFINITE] = std::uint32_t(paths.only_infinite);
-    specialization[SPEC_CHECKERBOARDS] = paths.checkerboards ? 1 : 0;
+    specialization[SPEC_CHECKERBOARDS] = paths.checkerboards;
     specialization[SPEC_MAX_DEPTH] = paths.max_depth;
     specialization[SPEC_DIFFUSE_PATHS] = paths.diffuse_paths ? 1 : 0;
     specialization[SPEC_CLAMP] = std::bit_cast<std::uint32_t>(paths.clamp);

@@ -45,7 +45,7 @@ SceneTraits::Paths pathsOf(const Scene& scene) {
         paths.materials |= bit(materialKind(shape.material));
         const auto* matte = std::get_if<Matte>(&shape.material);
         paths.rough_mattes = paths.rough_mattes || (matte && matte->sigma > 0.0);
-        paths.checkerboards = paths.checkerboards || textureAs<Checkerboard>(shape.material) != nullptr;
+        if (textureAs<Checkerboard>(shape.material)) paths.checkerboards |= bit(geometryKind(shape.geometry));
         paths.meshes = paths.meshes || std::holds_alternative<TriangleMesh>(shape.geometry);
     }
     for (const Light& light : scene.lights) paths.light_kinds |= bit(lightKind(scene, light));
@@ -66,7 +66,7 @@ SceneTraits::Paths pathsOf(const Scene& scene) {
 bool SceneTraits::needsPaths() const {
     const std::uint32_t delta_lights = bit(LIGHT_DISTANT) | bit(LIGHT_POINT);
     return paths.materials != bit(MATERIAL_MATTE) || (paths.light_kinds & ~delta_lights) != 0 || paths.rough_mattes ||
-           paths.checkerboards || paths.meshes || paths.diffuse_paths || paths.clamp > 0.0f ||
+           paths.checkerboards != 0 || paths.meshes || paths.diffuse_paths || paths.clamp > 0.0f ||
            paths.filter != FILTER_BOX || paths.radius_x != 0.5f || paths.radius_y != 0.5f;
 }
 
@@ -105,7 +105,7 @@ SceneTraits traitsOf(const Scene& scene) {
     traits.objects = std::uint32_t(scene.shapes.size());
     traits.lights = std::uint32_t(scene.lights.size());
     for (const Shape& shape : scene.shapes) {
-        traits.images = traits.images || textureAs<ImageMap>(shape.material) != nullptr;
+        if (textureAs<ImageMap>(shape.material)) traits.images |= bit(geometryKind(shape.geometry));
         traits.ramps = traits.ramps || textureAs<HeightRamp>(shape.material) != nullptr;
         traits.kinds |= bit(geometryKind(shape.geometry));
         if (const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry))

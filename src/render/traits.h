@@ -11,7 +11,8 @@ namespace dsphere {
 struct SceneTraits {
     std::uint32_t objects = 0, lights = 0;
     std::uint32_t kinds = 0, surfaces = 0;     ///< bit per KIND_ and SURFACE_ in use
-    bool images = false, ramps = false;        ///< of shapes
+    std::uint32_t images = 0;                  ///< bit per KIND_ of the shapes with a colour image
+    bool ramps = false;                        ///< a shape has one
     bool tiles = false;                        ///< a map stays in its file: known once their files are opened
     std::uint32_t triangles = 0;               ///< of all meshes
     int only_displaced = -1, only_plain = -1;  ///< the only shape of its kind, by its index; -1: none or several
@@ -21,7 +22,8 @@ struct SceneTraits {
     struct Paths {
         std::uint32_t materials = 1u << MATERIAL_MATTE, light_kinds = 0;  ///< bit per MATERIAL_ and LIGHT_ in use
         int only_infinite = -1;  ///< the only infinite light, by its index; -1: none or several
-        bool rough_mattes = false, checkerboards = false, meshes = false;
+        std::uint32_t checkerboards = 0;  ///< bit per KIND_ of the shapes that have one
+        bool rough_mattes = false, meshes = false;
         bool diffuse_paths = false;  ///< path, not directlighting
         std::uint32_t max_depth = 0;
         float clamp = 0.0f;  ///< 0: none

@@ -98,7 +98,7 @@ TEST(ShaderColour, CoordinatesAreTheReferences) {
         for (int k = 0; k < 1000; ++k) {
             const glm::vec3 p = pointOn(geometry, random);
             const dvec2 truth = reference::surfaceUv(painted.shape, dvec3(p));
-            const dvec2 uv(glsl32::surfaceUv(painted.object, p));
+            const dvec2 uv(glsl32::surfaceUv(painted.object, p, glsl32::kKinds));
             EXPECT_NEAR(uv.x, truth.x, 3e-7);
             EXPECT_NEAR(uv.y, truth.y, 3e-7);
         }

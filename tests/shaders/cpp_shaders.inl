@@ -79,6 +79,7 @@ inline real leadingBits(real x) {
 constexpr int kMarcher = MARCHER_EXACT;
 constexpr real kThreshold = real(3e-6), kStride = real(1);
 constexpr int kKinds = 1 << KIND_DISPLACED | 1 << KIND_SPHERE | 1 << KIND_DISK;
+constexpr int kImages = kKinds;
 constexpr int kOnlyDisplaced = -1, kOnlyPlain = -1;
 
 #include "shaders/hit.glsl"
