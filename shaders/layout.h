@@ -71,7 +71,8 @@ using uint = std::uint32_t;
 #define SPEC_TILES 26           // 0: the scene has no map in tiles; 1: it has; 2: and their tiles have a TILE_MARGIN
 #define SPEC_RAMPS 27           // 1 if an object is coloured by a ramp
 #define SPEC_ONLY_INFINITE 28  // the scene's only infinite light, by its index; -1: none or several; shade_paths alone
-#define SPEC_COUNT 29
+#define SPEC_ROUGH_MATTES 29  // 1 if a matte surface is not Lambertian; shade_paths alone
+#define SPEC_COUNT 30
 
 #define MARCHER_EXACT 0
 #define MARCHER_NAIVE 1        // the seed's: from the camera

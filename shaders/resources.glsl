@@ -28,6 +28,7 @@ layout(constant_id = SPEC_ONLY_INFINITE) const int kOnlyInfinite = -1;
 layout(constant_id = SPEC_SURFACES) const int kSurfaces = 1;
 layout(constant_id = SPEC_TURNS) const int kTurns = 1;
 layout(constant_id = SPEC_MATERIALS) const int kMaterials = 1;
+layout(constant_id = SPEC_ROUGH_MATTES) const int kRoughMattes = 0;
 layout(constant_id = SPEC_CHECKERBOARDS) const int kCheckerboards = 0;
 layout(constant_id = SPEC_MAX_DEPTH) const int kMaxDepth = 5;
 layout(constant_id = SPEC_DIFFUSE_PATHS) const int kDiffusePaths = 0;

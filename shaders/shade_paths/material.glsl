@@ -33,6 +33,7 @@ real facetLoss(const MaterialData material, const real cosine) {
 
 // Oren and Nayar's factor of Lambert's law.
 real roughFactor(const MaterialData material, const vec3 view, const vec3 light) {
+    if (kRoughMattes == 0) return real(1);
     if (view.z <= real(0)) return real(material.rough_a);
     real sine_view = length(XY(view));
     real sine_light = length(XY(light));

@@ -73,11 +73,6 @@ Scattering scatterTowards(const Vertex vertex, const vec3 direction) {
     return result;
 }
 
-// Whether anything but the light itself stands between P' and the sample.
-bool isVisible(const SurfacePoint point, const LightData light, const LightSample light_sample, INOUT(Searches) searches) {
-    return !isShaded(point, light_sample.place, light_sample.ends, light.object, searches);
-}
-
 // `own` > 0. Neither is squared: densities of grazing directions are large.
 real powerWeight(const real own, const real other) {
     real ratio = other / own;
@@ -102,9 +97,10 @@ vec3 lightThrough(const Vertex vertex, const int k, const vec2 u, const real cha
     Scattering scattering = scatterTowards(vertex, direction);
     vec3 result = scattering.value * light_sample.radiance / chance;
     if (rules.weighed && light_sample.density > real(0)) result *= powerWeight(light_sample.density * chance, scattering.density);
-    seen = dot(point.normal, direction) > real(0) && light.object != point.object;
+    int shining = (kLightKinds & kAreaKinds) != 0 ? light.object : -1;
+    seen = dot(point.normal, direction) > real(0) && shining != point.object;
     if (seen && rules.shadowed && (rules.centre || max(result.x, max(result.y, result.z)) > real(0)))
-        seen = isVisible(point, light, light_sample, searches);
+        seen = !isShaded(point, light_sample.place, light_sample.ends, shining, searches);
     if (kShadows == 0 && !isInfinite(light)) result *= horizonShare(point, direction);
     return seen ? result : vec3(real(0));
 }

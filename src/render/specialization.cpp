@@ -48,6 +48,7 @@ Specialization specializationOf(const SceneTraits& traits, float stride, const M
     specialization[SPEC_MATERIALS] = paths.materials;
     specialization[SPEC_LIGHT_KINDS] = paths.light_kinds;
     specialization[SPEC_ONLY_INFINITE] = std::uint32_t(paths.only_infinite);
+    specialization[SPEC_ROUGH_MATTES] = paths.rough_mattes ? 1 : 0;
     specialization[SPEC_CHECKERBOARDS] = paths.checkerboards;
     specialization[SPEC_MAX_DEPTH] = paths.max_depth;
     specialization[SPEC_DIFFUSE_PATHS] = paths.diffuse_paths ? 1 : 0;
