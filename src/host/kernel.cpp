@@ -139,7 +139,8 @@ struct Invocation {
     const int kImages = int(spec[SPEC_IMAGES]), kRamps = int(spec[SPEC_RAMPS]),
               kLightKinds = int(spec[SPEC_LIGHT_KINDS]), kOnlyInfinite = int(spec[SPEC_ONLY_INFINITE]);
     const int kSurfaces = int(spec[SPEC_SURFACES]), kMaterials = int(spec[SPEC_MATERIALS]);
-    const int kTurns = int(spec[SPEC_TURNS]), kCheckerboards = int(spec[SPEC_CHECKERBOARDS]), kRoughMattes = int(spec[SPEC_ROUGH_MATTES]);
+    const int kTurns = int(spec[SPEC_TURNS]), kCheckerboards = int(spec[SPEC_CHECKERBOARDS]),
+              kRoughMattes = int(spec[SPEC_ROUGH_MATTES]);
     const int kMaxDepth = int(spec[SPEC_MAX_DEPTH]), kDiffusePaths = int(spec[SPEC_DIFFUSE_PATHS]);
     const int kRegularize = int(spec[SPEC_REGULARIZE]), kFilter = int(spec[SPEC_FILTER]);
     const int kShadows = int(spec[SPEC_SHADOWS]), kHideDistance = int(spec[SPEC_HIDE_DISTANCE]);

@@ -24,7 +24,12 @@ constexpr double kSubmitTarget = 0.05;
 }  // namespace
 
 Renderer::Renderer(gpu::Device& device, const PackedScene& packed, const Scene& scene, const MarchMethod& method)
-    : device_(device), packed_(&packed), state_(packed.state), device_scene_(device, packed), method_(method) {
+    : device_(device),
+      packed_(&packed),
+      traits_(packed.traits),
+      state_(packed.state),
+      device_scene_(device, packed),
+      method_(method) {
     setCamera(scene);
 }
 
@@ -84,8 +89,10 @@ void Renderer::setPacking(const PackedScene& packed) {
     device_scene_.updateReliefs(packed);
     device_scene_.updateObjects(state_);
     device_scene_.updateLook(state_);
-    // The stride that is safe depends on the slopes.
-    std::erase_if(pipelines_, [](const auto& one) { return one.first.first.marcher == Marcher::Lipschitz; });
+    // Pipelines are made for the traits, and for a stride that is safe for the slopes.
+    const bool others = packed.traits != traits_;
+    std::erase_if(pipelines_, [=](const auto& one) { return others || one.first.first.marcher == Marcher::Lipschitz; });
+    traits_ = packed.traits;
 }
 
 FilmPipelines& Renderer::pipelines(const MarchMethod& method, std::uint32_t mask) {

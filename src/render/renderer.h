@@ -50,6 +50,7 @@ class Renderer final : public SceneRenderer {
 
     gpu::Device& device_;
     const PackedScene* packed_;
+    SceneTraits traits_;  ///< that the pipelines are made for
     PackedState state_;
     DeviceScene device_scene_;
     MarchMethod method_;

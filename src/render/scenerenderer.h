@@ -37,7 +37,8 @@ class SceneRenderer {
     virtual void setCamera(const Scene& scene) = 0;
     /// Renders these pixels of the film in place of those of its crop window.
     virtual void setCrop(const Box& crop) = 0;
-    /// Takes the lights and the constant and ramp colours of `scene`, which has changed in nothing else.
+    /// Takes the lights and the constant and ramp colours of `scene`, which has changed in nothing else, and has the
+    /// same traits.
     virtual void setLook(const Scene& scene, const SceneMaps& maps) = 0;
     /// Takes another packing of the same maps, with its camera, lights and colours, in place of the present one: the
     /// same reliefs in the same order, whatever their radii and displacements.

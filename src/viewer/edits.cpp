@@ -6,6 +6,7 @@
 
 #include <glm/gtx/component_wise.hpp>
 
+#include "render/traits.h"
 #include "shaders/layout.h"
 
 namespace dsphere::viewer {
@@ -159,6 +160,8 @@ Rework reworkBetween(const Scene& shown, const Scene& wanted) {
         rework = std::max({rework, reworkOf(before.geometry, after.geometry),
                            reworkOf(textureOf(before.material), textureOf(after.material))});
     }
+    // Pipelines are made for some traits, such as whether anything is coloured by its heights.
+    if (rework == Rework::Look && traitsOf(shown) != traitsOf(wanted)) rework = Rework::Relief;
     return rework;
 }
 

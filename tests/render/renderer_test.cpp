@@ -131,6 +131,25 @@ TEST_F(RendererTest, BaselinesAreColouredByHeightToo) {
 }
 
 // Sample i of a growing picture is sample i of a render, whatever the number of samples, slices and tiles.
+// What a pipeline was made without, such as ramps, is there once another packing needs it.
+TEST_F(RendererTest, APackingOfOtherTraitsIsDrawnAsIfItWereTheFirst) {
+    const World plain = world(planet());
+    const World ramped = world(
+        "Texture \"by height\" \"spectrum\" \"heightramp\" \"string ramp\" \"viridis\"\n"
+        "Material \"matte\" \"texture Kd\" \"by height\"\n" +
+        planet());
+    ASSERT_NE(plain.packed.traits, ramped.packed.traits);
+    Renderer renderer(device_, plain.packed, plain.scene, Marcher::Exact);
+    const Image grey = renderer.renderColour(1, 0, {});
+    for (const World* next : {&ramped, &plain}) {
+        renderer.setPacking(next->packed);
+        renderer.setCamera(next->scene);
+        const Image fresh = Renderer(device_, next->packed, next->scene, Marcher::Exact).renderColour(1, 0, {});
+        ASSERT_NO_FATAL_FAILURE(expectPart(renderer.renderColour(1, 0, {}), fresh));
+        EXPECT_EQ(fresh.at("R").floats() == grey.at("R").floats(), next == &plain);
+    }
+}
+
 TEST_F(RendererTest, LivePicturesEqualRenders) {
     World made = world(planet() + "Translate 1.3 0 0\nShape \"sphere\" \"float radius\" .2\n");
     Renderer renderer(device_, made.packed, made.scene, Marcher::Exact);

@@ -40,7 +40,19 @@ TEST(Edits, TakeTheLeastWork) {
     };
     EXPECT_EQ(rework([](Edits& e) { e.sun_brightness = 2.0; }), Rework::Look);
     EXPECT_EQ(rework([](Edits& e) { e.sun_direction = dvec3(1.0, 0.0, 0.0); }), Rework::Look);
-    EXPECT_EQ(rework([](Edits& e) { e.shapes[0].texture = HeightRamp{.ramp = "viridis"}; }), Rework::Look);
+    EXPECT_EQ(rework([](Edits& e) { e.shapes[0].texture = ConstantColour{.rgb = dvec3(0.25)}; }), Rework::Look);
+    EXPECT_EQ(rework([](Edits& e) { e.shapes[0].texture = HeightRamp{.ramp = "viridis"}; }), Rework::Relief)
+        << "shaders know that there is none";
+    const Scene ramped = edited(original, [&] {
+        Edits edits = noEdits(original, 1.0);
+        edits.shapes[0].texture = edits.shapes[1].texture = HeightRamp{.ramp = "viridis"};
+        return edits;
+    }());
+    Edits other = noEdits(ramped, 1.0);
+    other.shapes[0].texture = HeightRamp{.ramp = "geoid"};
+    EXPECT_EQ(reworkBetween(ramped, edited(ramped, other)), Rework::Look);
+    other.shapes[0].texture = ConstantColour{};
+    EXPECT_EQ(reworkBetween(ramped, edited(ramped, other)), Rework::Look) << "the second is still coloured by heights";
     ImageMap image;
     image.path = "c.png";
     EXPECT_EQ(rework([&](Edits& e) { e.shapes[0].texture = image; }), Rework::Reading);
