@@ -70,7 +70,7 @@ using uint = std::uint32_t;
 #define SPEC_HIDE_DISTANCE 25   // 1: camera rays that miss see no infinite light; shade_paths alone
 #define SPEC_TILES 26           // 0: the scene has no map in tiles; 1: it has; 2: and their tiles have a TILE_MARGIN
 #define SPEC_RAMPS 27           // 1 if an object is coloured by a ramp
-#define SPEC_ONLY_INFINITE 28  // the scene's only infinite light, by its index; -1: none or several; shade_paths alone
+#define SPEC_INFINITE_LIGHT 28  // the infinite light, by its index; -1: the scene has none; shade_paths alone
 #define SPEC_ROUGH_MATTES 29  // 1 if a matte surface is not Lambertian; shade_paths alone
 #define SPEC_COUNT 30
 

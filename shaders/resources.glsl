@@ -24,7 +24,7 @@ layout(constant_id = SPEC_PLANES) const uint kPlanes = 0u;
 layout(constant_id = SPEC_IMAGES) const int kImages = 0;
 layout(constant_id = SPEC_RAMPS) const int kRamps = 0;
 layout(constant_id = SPEC_LIGHT_KINDS) const int kLightKinds = 1;
-layout(constant_id = SPEC_ONLY_INFINITE) const int kOnlyInfinite = -1;
+layout(constant_id = SPEC_INFINITE_LIGHT) const int kInfiniteLight = -1;
 layout(constant_id = SPEC_SURFACES) const int kSurfaces = 1;
 layout(constant_id = SPEC_TURNS) const int kTurns = 1;
 layout(constant_id = SPEC_MATERIALS) const int kMaterials = 1;

@@ -7,14 +7,13 @@
 
 const int kMainObject = kObjectCount == 1 || kOnlyDisplaced < 0 ? 0 : kOnlyDisplaced;
 const int kPlainObject = kOnlyPlain < 0 ? 0 : kOnlyPlain;
-const int kInfiniteLight = kOnlyInfinite < 0 ? 0 : kOnlyInfinite;
 
 ObjectData first_object;  // whose centre stands for the world's origin
 ObjectData main_object;   // the scene's only object, or the only displaced one
 MapData main_map;         // the main object's map, at its finest level of detail
 ObjectData plain_object;  // the only one that is not displaced, if there are others
 LightData only_light;
-LightData infinite_light;  // the only one
+LightData infinite_light;  // if there is one
 
 void readUniforms() {
     params = pushed;
@@ -23,5 +22,5 @@ void readUniforms() {
     main_map = maps[kMainObject];
     plain_object = objects[kPlainObject];
     only_light = lights[0];
-    infinite_light = lights[kInfiniteLight];
+    infinite_light = lights[kInfiniteLight < 0 ? 0 : kInfiniteLight];
 }

@@ -48,15 +48,16 @@ struct Vertex {
     vec3 view;    // in it, towards where the ray came from
 };
 
-// `softened`: after another reflection than mirrors'.
-Vertex makeVertex(const SurfacePoint point, const vec3 colour, const bool softened) {
+// `direction`: of the ray, unit; from nearby it is known better than the way from its start to the hit. `softened`: after another
+// reflection than mirrors'.
+Vertex makeVertex(const SurfacePoint point, const vec3 direction, const vec3 colour, const bool softened) {
     Vertex vertex;
     vertex.point = point;
     vertex.material = materials[point.object + (kRegularize != 0 && softened ? MAX_OBJECTS : 0)];
     vertex.colour = colour;
     // A camera on the surface itself is 0 away, and sees it from above.
     bool apart = !point.inside && dot(point.towards, point.towards) > real(0);
-    vec3 view = apart ? normalize(-point.towards) : point.normal;
+    vec3 view = apart ? -direction : point.normal;
     vec3 normal = shadingNormal(point);
     vertex.basis = basisAbout(normal);
     vertex.view = intoBasis(vertex.basis, view);
@@ -125,18 +126,6 @@ vec3 weighed(const Emission emission, const LightData light, const Departure dep
     return emission.radiance * (departure.density > real(0) ? powerWeight(departure.density, rival) : real(1));
 }
 
-vec3 emittedByDistance(const vec3 direction, const Departure departure) {
-    if (kOnlyInfinite >= 0)
-        return weighed(infiniteEmission(infinite_light, departure.normal, direction), infinite_light, departure);
-    vec3 sum = vec3(real(0));
-    int k = 0;
-    do {
-        LightData light = lights[k];
-        if (isInfinite(light)) sum += weighed(infiniteEmission(light, departure.normal, direction), light, departure);
-    } while (++k < kLightCount);
-    return sum;
-}
-
 vec3 emittedBySurface(const SurfacePoint point, const Departure departure) {
     int k = materials[point.object].light;
     if (k < 0) return vec3(real(0));
@@ -147,7 +136,8 @@ vec3 emittedBySurface(const SurfacePoint point, const Departure departure) {
 // What the hit, or the distance, sends back along the path.
 vec3 emitted(const SurfacePoint point, const vec3 direction, const Departure departure) {
     vec3 result = vec3(real(0));
-    if ((kLightKinds & kInfiniteKinds) != 0 && !point.hit) result = emittedByDistance(direction, departure);
+    if ((kLightKinds & kInfiniteKinds) != 0 && !point.hit)
+        result = weighed(infiniteEmission(infinite_light, departure.normal, direction), infinite_light, departure);
     if ((kLightKinds & kAreaKinds) != 0 && point.hit) result = emittedBySurface(point, departure);
     return result;
 }
@@ -243,7 +233,7 @@ void extendPath(INOUT(Path) path, const Rules rules) {
         path.result.colour += path.throughput * emitted(point, segmentDirection(path.segment), path.departure);
     path.going = path.going && point.hit;
     if (path.going) {
-        Vertex vertex = makeVertex(point, albedoOf(point), path.softened);
+        Vertex vertex = makeVertex(point, segmentDirection(path.segment), albedoOf(point), path.softened);
         if (n == 0) path.result.albedo = vertex.colour;
         path.going = n < kMaxDepth || rules.centre;
         if (path.going) {

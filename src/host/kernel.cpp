@@ -137,7 +137,7 @@ struct Invocation {
     const int kOnlyDisplaced = int(spec[SPEC_ONLY_DISPLACED]), kOnlyPlain = int(spec[SPEC_ONLY_PLAIN]);
     const uint kPlanes = spec[SPEC_PLANES], kRetryStride = spec[SPEC_RETRY_STRIDE];
     const int kImages = int(spec[SPEC_IMAGES]), kRamps = int(spec[SPEC_RAMPS]),
-              kLightKinds = int(spec[SPEC_LIGHT_KINDS]), kOnlyInfinite = int(spec[SPEC_ONLY_INFINITE]);
+              kLightKinds = int(spec[SPEC_LIGHT_KINDS]), kInfiniteLight = int(spec[SPEC_INFINITE_LIGHT]);
     const int kSurfaces = int(spec[SPEC_SURFACES]), kMaterials = int(spec[SPEC_MATERIALS]);
     const int kTurns = int(spec[SPEC_TURNS]), kCheckerboards = int(spec[SPEC_CHECKERBOARDS]),
               kRoughMattes = int(spec[SPEC_ROUGH_MATTES]);

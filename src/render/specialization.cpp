@@ -47,7 +47,7 @@ Specialization specializationOf(const SceneTraits& traits, float stride, const M
     const SceneTraits::Paths& paths = traits.paths;
     specialization[SPEC_MATERIALS] = paths.materials;
     specialization[SPEC_LIGHT_KINDS] = paths.light_kinds;
-    specialization[SPEC_ONLY_INFINITE] = std::uint32_t(paths.only_infinite);
+    specialization[SPEC_INFINITE_LIGHT] = std::uint32_t(paths.infinite_light);
     specialization[SPEC_ROUGH_MATTES] = paths.rough_mattes ? 1 : 0;
     specialization[SPEC_CHECKERBOARDS] = paths.checkerboards;
     specialization[SPEC_MAX_DEPTH] = paths.max_depth;

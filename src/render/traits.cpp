@@ -32,10 +32,11 @@ int onlyShape(const Scene& scene, bool displaced) {
     return int(std::ranges::find_if(scene.shapes, meant) - scene.shapes.begin());
 }
 
-int onlyInfinite(const Scene& scene) {
-    const auto is_infinite = [](const Light& light) { return std::holds_alternative<InfiniteLight>(light); };
-    if (std::ranges::count_if(scene.lights, is_infinite) != 1) return -1;
-    return int(std::ranges::find_if(scene.lights, is_infinite) - scene.lights.begin());
+/// Scenes have one at most.
+int infiniteLightOf(const Scene& scene) {
+    const auto found = std::ranges::find_if(
+        scene.lights, [](const Light& light) { return std::holds_alternative<InfiniteLight>(light); });
+    return found == scene.lights.end() ? -1 : int(found - scene.lights.begin());
 }
 
 SceneTraits::Paths pathsOf(const Scene& scene) {
@@ -49,7 +50,7 @@ SceneTraits::Paths pathsOf(const Scene& scene) {
         paths.meshes = paths.meshes || std::holds_alternative<TriangleMesh>(shape.geometry);
     }
     for (const Light& light : scene.lights) paths.light_kinds |= bit(lightKind(scene, light));
-    paths.only_infinite = onlyInfinite(scene);
+    paths.infinite_light = infiniteLightOf(scene);
     paths.diffuse_paths = scene.integrator.kind == Integrator::Kind::Path;
     paths.max_depth = std::uint32_t(scene.integrator.max_depth);
     paths.clamp = float(scene.integrator.clamp);

@@ -21,8 +21,8 @@ struct SceneTraits {
     /// as large as a pixel for a filter.
     struct Paths {
         std::uint32_t materials = 1u << MATERIAL_MATTE, light_kinds = 0;  ///< bit per MATERIAL_ and LIGHT_ in use
-        int only_infinite = -1;           ///< the only infinite light, by its index; -1: none or several
-        std::uint32_t checkerboards = 0;  ///< bit per KIND_ of the shapes that have one
+        int infinite_light = -1;                                          ///< its index; -1: there is none
+        std::uint32_t checkerboards = 0;                                  ///< bit per KIND_ of the shapes that have one
         bool rough_mattes = false, meshes = false;
         bool diffuse_paths = false;  ///< path, not directlighting
         std::uint32_t max_depth = 0;

@@ -2,6 +2,7 @@
 // means of traced paths.
 
 #include "reference/pathtracer.h"
+#include "reference/surface.h"
 #include "tests/conformance/fixture.h"
 #include "tests/support/testcolours.h"
 #include "tests/support/testmaps.h"
@@ -118,6 +119,24 @@ TEST_F(Lighting, OfEveryMaterialUnderEveryLight) {
             expectContract(report);
             EXPECT_GE(report.colours, 4000u);
         }
+}
+
+// From 2e-3 and 2e-4 R above the ground, towards the sun's reflection in it: the hit's own rounding would turn the view
+// by more than facets so smooth allow.
+TEST_F(Lighting, OfSmoothFacetsNearBy) {
+    for (const double height : {2e-3, 2e-4}) {
+        SCOPED_TRACE(height);
+        World world = sphereWorld(test::fractalMap(128, 64), 2.0);
+        world.scene.shapes[0].material = Conductor{.alpha = 0.03};
+        const dvec3 up = direction(0.4, 0.3), ahead = east(0.4);
+        world.addSun(3.0 * ahead + 2.0 * up);
+        const reference::Surface surface(*world.maps.maps[0], world.maps.reliefs[0]);
+        const dvec3 eye = (surface.radius(up) + height * world.unit()) * up;
+        world.lookAt(eye, eye + 3.0 * ahead - 2.0 * up, up, 90.0);
+        const verify::Report report = picture(world).report;
+        expectContract(report);
+        EXPECT_GE(report.colours, 10000u);
+    }
 }
 
 TEST_F(Lighting, OfManyLightsAtOnce) {
