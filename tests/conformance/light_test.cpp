@@ -23,10 +23,10 @@ const Material kMatte = Matte{ConstantColour{dvec3(0.7, 0.4, 0.2)}},
 /// One a shape.
 using Materials = std::array<Material, 4>;
 
-/// Each has all kinds of material, so that one shader serves them all.
-const Materials kEvery[] = {{kMatte, kConductor, kPlastic, kMirror},
+/// Each has all kinds of material, and its matte one is rough, so that one shader serves them all.
+const Materials kEvery[] = {{kRoughMatte, kConductor, kPlastic, kMirror},
                             {kSmoothConductor, kMirror, kRoughMatte, kPlastic},
-                            {kPlastic, kRoughConductor, kMirror, kMatte}};
+                            {kPlastic, kRoughConductor, kMirror, kRoughMatte}};
 
 Materials all(const Material& material) {
     return {material, material, material, material};
@@ -262,7 +262,7 @@ TEST_F(Lighting, OfPathsOfOneMaterial) {
          {kMatte, kRoughMatte, kConductor, kSmoothConductor, kRoughConductor, kPlastic, kMirror}) {
         SCOPED_TRACE(material.index());
         World world = objects(all(material));
-        for (const Material& other : {kMatte, kConductor, kPlastic, kMirror}) {
+        for (const Material& other : {kRoughMatte, kConductor, kPlastic, kMirror}) {
             world.addPlain(Sphere{1e-3}, translation({1.2, 1.4, 9.0}));
             world.scene.shapes.back().material = other;
         }
