@@ -276,14 +276,15 @@ SurfacePoint noPoint() {
     return point;
 }
 
-SurfacePoint nearestHit(const Segment segment) {
+// `direction`: the segment's.
+SurfacePoint nearestHit(const Segment segment, const vec3 direction) {
     SurfacePoint best = noPoint();
     // Not even a loop of one iteration is free: it stands between the driver and what it could do once (rule L3).
     if (kOneObject) {
         considerObject(best, 0, segment, ~0);
         return best;
     }
-    Candidates candidates = displacedNear(segmentStart(segment), segmentDirection(segment));
+    Candidates candidates = displacedNear(segmentStart(segment), direction);
     if (kOnlyPlain >= 0)
         considerObject(best, kOnlyPlain, segment, kPlain);
     else if ((kKinds & kPlain) != 0) {

@@ -223,17 +223,18 @@ void reflectPath(INOUT(Path) path, const Vertex vertex) {
 // The next vertex of a path that is going. The planes of a centre need its first alone.
 void extendPath(INOUT(Path) path, const Rules rules) {
     const int n = path.vertices;
-    SurfacePoint point = nearestHit(path.segment);
+    vec3 direction = segmentDirection(path.segment);
+    SurfacePoint point = nearestHit(path.segment, direction);
     path.result.searches.doubtful = path.result.searches.doubtful || point.doubtful;
     path.result.searches.steps += point.steps;
     if (n == 0) path.result.point = point;
     path.going = !path.result.searches.doubtful && kWantsLight;
     bool hidden = kHideDistance != 0 && n == 0 && !point.hit;
     if (path.going && sceneHasMetLights() && !hidden)
-        path.result.colour += path.throughput * emitted(point, segmentDirection(path.segment), path.departure);
+        path.result.colour += path.throughput * emitted(point, direction, path.departure);
     path.going = path.going && point.hit;
     if (path.going) {
-        Vertex vertex = makeVertex(point, segmentDirection(path.segment), albedoOf(point), path.softened);
+        Vertex vertex = makeVertex(point, direction, albedoOf(point), path.softened);
         if (n == 0) path.result.albedo = vertex.colour;
         path.going = n < kMaxDepth || rules.centre;
         if (path.going) {
