@@ -48,7 +48,7 @@ int nearestRow(const ObjectData o, const real share) {
 TexelPlace imageRow(const ObjectData o, const vec3 q) {
     Pair rho = exactLength(q.x, q.z);
     TexelPlace place;
-    if (isKindAmong(o, KIND_DISK, kImages)) {
+    if (isAmong(o.kind, KIND_DISK, kImages)) {
         real inner = sqrt(real(o.inner_squared));
         real per_unit = real(1) / (real(1) - inner);
         place.index = nearestRow(o, (rho.hi - inner) * per_unit);
@@ -83,7 +83,7 @@ vec3 inCap(const ObjectData o, const TexelPlace row, const vec3 own, const vec3 
 }
 
 vec3 imageColour(const ObjectData o, const vec3 p) {
-    bool planet = isKindAmong(o, KIND_DISPLACED, kImages);
+    bool planet = isAmong(o.kind, KIND_DISPLACED, kImages);
     vec3 q = planet ? p : vec3(-p.y, p.z, -p.x);  // pbrt's shapes have their axis on z and begin at +x
     TexelPlace column = imageColumn(o, q);
     TexelPlace row = imageRow(o, q);
@@ -111,12 +111,12 @@ vec3 imageColourAt(const ObjectData o, const vec2 uv) {
 
 // (u, v), of an object that is of one of the `possible` kinds: a displaced sphere's as its heights have them, others' as pbrt has them.
 vec2 surfaceUv(const ObjectData o, const vec3 p, const int possible) {
-    if (isKindAmong(o, KIND_DISPLACED, possible))
+    if (isAmong(o.kind, KIND_DISPLACED, possible))
         return vec2(real(0.5) + atan2Precise(p.x, p.z) / (real(2) * kPi),
                     atan2Precise(sqrt(p.x * p.x + p.z * p.z), p.y) / kPi);
     real u = atan2Precise(p.y, p.x) / (real(2) * kPi);
     real rho = sqrt(p.x * p.x + p.y * p.y);
-    real v = isKindAmong(o, KIND_DISK, possible) ? (real(1) - rho) / (real(1) - sqrt(real(o.inner_squared)))
+    real v = isAmong(o.kind, KIND_DISK, possible) ? (real(1) - rho) / (real(1) - sqrt(real(o.inner_squared)))
                                   : real(1) - atan2Precise(rho, p.z) / kPi;
     return vec2(u < real(0) ? u + real(1) : u, v);
 }

@@ -71,7 +71,7 @@ using uint = std::uint32_t;
 #define SPEC_TILES 26           // 0: the scene has no map in tiles; 1: it has; 2: and their tiles have a TILE_MARGIN
 #define SPEC_RAMPS 27           // 1 if an object is coloured by a ramp
 #define SPEC_INFINITE_LIGHT 28  // the infinite light, by its index; -1: the scene has none; shade_paths alone
-#define SPEC_ROUGH_MATTES 29  // 1 if a matte surface is not Lambertian; shade_paths alone
+#define SPEC_ROUGH_MATTES 29    // 1 if a matte surface is not Lambertian; shade_paths alone
 #define SPEC_COUNT 30
 
 #define MARCHER_EXACT 0

@@ -1,16 +1,7 @@
 // What the kernel asks of the scene and looks up in its images, behind the names that the other functions expect.
 
-bool sceneHasLight(const int kind) {
-    return (kLightKinds & (1 << kind)) != 0;
-}
-
-// Of a light that is of one of the `possible` kinds.
-bool isLightAmong(const LightData light, const int kind, const int possible) {
-    return (possible & 1 << kind) != 0 && (possible == 1 << kind || light.kind == kind);
-}
-
 bool isLight(const LightData light, const int kind) {
-    return isLightAmong(light, kind, kLightKinds);
+    return isAmong(light.kind, kind, kLightKinds);
 }
 
 // Storage images, not textures (rule L5): filters may round weights to 8 bits, and on lavapipe a load costs half a texelFetch.

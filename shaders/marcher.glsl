@@ -1,4 +1,5 @@
 // Everything up to the hit of a ray with one object, and its colour there.
+#include "kinds.glsl"
 #include "lookups.glsl"
 #include "numeric.glsl"
 #include "surface.glsl"

@@ -106,13 +106,8 @@ ObjectHit hitRing(const ObjectData object, const Ray ray) {
     return hit;
 }
 
-// Of an object that is of one of the `possible` kinds.
-bool isKindAmong(const ObjectData object, const int kind, const int possible) {
-    return (possible & 1 << kind) != 0 && (possible == 1 << kind || object.kind == kind);
-}
-
 bool isKind(const ObjectData object, const int kind) {
-    return isKindAmong(object, kind, kKinds);
+    return isAmong(object.kind, kind, kKinds);
 }
 
 // Which of a scene's objects are meant: displaced spheres, whose march is long, or the others.
@@ -123,7 +118,7 @@ const int kPlain = ~kDisplaced;
 // for the only plain object.
 bool isKindMeant(const ObjectData object, const int kind, const int kinds) {
     bool all_meant = kinds == kDisplaced || (kinds == kPlain && kOnlyPlain >= 0);
-    return (kinds & 1 << kind) != 0 && isKindAmong(object, kind, all_meant ? kKinds & kinds : kKinds);
+    return (kinds & 1 << kind) != 0 && isAmong(object.kind, kind, all_meant ? kKinds & kinds : kKinds);
 }
 
 // Of an object of the kinds meant; nothing of others.

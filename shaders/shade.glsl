@@ -276,15 +276,14 @@ SurfacePoint noPoint() {
     return point;
 }
 
-// `direction`: the segment's.
-SurfacePoint nearestHit(const Segment segment, const vec3 direction) {
+SurfacePoint nearestHit(const Segment segment) {
     SurfacePoint best = noPoint();
     // Not even a loop of one iteration is free: it stands between the driver and what it could do once (rule L3).
     if (kOneObject) {
         considerObject(best, 0, segment, ~0);
         return best;
     }
-    Candidates candidates = displacedNear(segmentStart(segment), direction);
+    Candidates candidates = displacedNear(segmentStart(segment), segmentDirection(segment));
     if (kOnlyPlain >= 0)
         considerObject(best, kOnlyPlain, segment, kPlain);
     else if ((kKinds & kPlain) != 0) {
@@ -302,12 +301,12 @@ SurfacePoint nearestHit(const Segment segment, const vec3 direction) {
 
 // Of an object that is of one of the `possible` kinds.
 vec2 pointUv(const SurfacePoint point, const int possible) {
-    if (kPaths && isKindAmong(objects[point.object], KIND_MESH, possible)) return point.uv;
+    if (kPaths && isAmong(objects[point.object].kind, KIND_MESH, possible)) return point.uv;
     return surfaceUv(objects[point.object], point.object_position, possible);
 }
 
 vec3 pointImageColour(const SurfacePoint point) {
-    if (kPaths && isKindAmong(objects[point.object], KIND_MESH, kImages)) return imageColourAt(objects[point.object], point.uv);
+    if (kPaths && isAmong(objects[point.object].kind, KIND_MESH, kImages)) return imageColourAt(objects[point.object], point.uv);
     return imageColour(objects[point.object], point.object_position);
 }
 

@@ -99,7 +99,7 @@ Gathered gatherInOneLoop(const Segment segment) {
 Gathered gatherDirect(const Segment segment) {
     if (kOneObject) return gatherInOneLoop(segment);
     Gathered result = nothingGathered();
-    result.point = nearestHit(segment, segmentDirection(segment));
+    result.point = nearestHit(segment);
     result.searches.doubtful = result.point.doubtful;
     if (kWantsLight && result.point.hit && !result.searches.doubtful) {
         if (kShadows != 0) result.lit = visibleLights(result.point, result.searches);

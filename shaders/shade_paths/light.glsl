@@ -173,7 +173,7 @@ struct Emission {
 
 Emission infiniteEmission(const LightData light, const vec3 normal, const vec3 direction) {
     Emission result;
-    if (isLightAmong(light, LIGHT_INFINITE, kLightKinds & kInfiniteKinds)) {
+    if (isAmong(light.kind, LIGHT_INFINITE, kLightKinds & kInfiniteKinds)) {
         result.radiance = XYZ(light.radiance);
         result.density = max(dot(normal, direction), real(0)) / kPi;
         return result;
@@ -193,7 +193,7 @@ Emission surfaceEmission(const LightData light, const vec3 from_first, const vec
     Emission result;
     result.radiance = vec3(real(0));
     result.density = real(0);
-    if (isLightAmong(light, LIGHT_SPHERE, kLightKinds & kAreaKinds)) {
+    if (isAmong(light.kind, LIGHT_SPHERE, kLightKinds & kAreaKinds)) {
         Cone cone = coneOf(light, from_first);
         bool outside = dot(normal, towards) < real(0);
         result.radiance = outside ? XYZ(light.radiance) : vec3(real(0));

@@ -3,12 +3,8 @@
 
 const real kPlasticIndex = real(1.5);
 
-bool sceneHasMaterial(const int kind) {
-    return (kMaterials & (1 << kind)) != 0;
-}
-
 bool isMaterial(const MaterialData material, const int kind) {
-    return kMaterials == 1 << kind || (sceneHasMaterial(kind) && material.kind == kind);
+    return isAmong(material.kind, kind, kMaterials);
 }
 
 // The reflected share of light from a direction, times its cosine, and the density at which sampleMaterial finds it.

@@ -224,7 +224,7 @@ void reflectPath(INOUT(Path) path, const Vertex vertex) {
 void extendPath(INOUT(Path) path, const Rules rules) {
     const int n = path.vertices;
     vec3 direction = segmentDirection(path.segment);
-    SurfacePoint point = nearestHit(path.segment, direction);
+    SurfacePoint point = nearestHit(path.segment);
     path.result.searches.doubtful = path.result.searches.doubtful || point.doubtful;
     path.result.searches.steps += point.steps;
     if (n == 0) path.result.point = point;

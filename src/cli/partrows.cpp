@@ -64,7 +64,7 @@ Image PartRows::readTile(std::size_t begin, std::size_t end, int y0, int y1) {
         }
         if (i == begin) outputs = outputsOf(std::move(rows));
     }
-    Image picture = sums.samples() > 0 ? pictureOf(sums) : Image{outputs.data, outputs.display, {}};
+    Image picture = sums.samples() > 0 ? pictureOf(std::move(sums)) : Image{outputs.data, outputs.display, {}};
     std::ranges::move(outputs.channels, std::back_inserter(picture.channels));
     return picture;
 }
@@ -90,7 +90,7 @@ std::vector<ChannelKind> PartRows::channels() const {
         for (const std::string& name : colours) pixel.addFloat(name);
         sums.append({first, std::min(first + kSumBlock, samples), std::move(pixel)});
     }
-    for (const Channel& channel : pictureOf(sums).channels)
+    for (const Channel& channel : pictureOf(std::move(sums)).channels)
         if (isSum(channel.name)) channels.push_back({channel.name, true});
     return channels;
 }

@@ -8,6 +8,7 @@
 #include "base/atomicfile.h"
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/srgb.h"
 #include "image/picture.h"
 #include "image/pngerrors.h"
 
@@ -20,10 +21,9 @@ constexpr std::uint64_t kMaxBytes = std::uint64_t(1) << 30;  // they are held in
 constexpr int kFilters = PNG_FAST_FILTERS, kDeflateLevel = 2;
 constexpr std::size_t kChunkBytes = 1 << 18;
 
-/// The sRGB curve (IEC 61966-2-1), rounded to the nearest of 256 levels.
+/// srgbFromLinear(), rounded to the nearest of 256 levels.
 int srgbLevel(double linear) {
-    const double encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-    return int(255.0 * encoded + 0.5);
+    return int(255.0 * srgbFromLinear(linear) + 0.5);
 }
 
 /// srgbLevel() without a power for each value: by where each level begins.

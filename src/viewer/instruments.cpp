@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/srgb.h"
 #include "scene/ramps.h"
 #include "viewer/displayworld.h"
 #include "viewer/ui.h"
@@ -81,8 +82,7 @@ ColourBar linearBar(const std::string& title, double low, double high, const std
 }
 
 int srgbCode(double light) {
-    const double code = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
-    return int(std::lround(255.0 * std::clamp(code, 0.0, 1.0)));
+    return int(std::lround(255.0 * std::clamp(srgbFromLinear(light), 0.0, 1.0)));
 }
 
 ColourBar rampBar(const Figures::RampScale& scale) {

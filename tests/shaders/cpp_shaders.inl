@@ -66,6 +66,7 @@ inline real leadingBits(real x) {
 // Of all surfaces.
 [[maybe_unused]] constexpr int kSurfaces = 1 << SURFACE_BILINEAR | 1 << SURFACE_SPLINE | 1 << SURFACE_RIPPLES;
 
+#include "shaders/kinds.glsl"
 #include "shaders/numeric.glsl"
 #include "shaders/surface.glsl"
 #include "patch.glsl"
